@@ -91,7 +91,7 @@ def cycle_is_proven(name: str, force: float, gap: float, frequency: float, none_
     Raises:
         OtherNumbersError: if the proof is of another friction, gap or frequency.
     """
-    about = str(_kept(name)["data"]["about"])
+    about = str(_kept(name)["data"]["motion"]["about"])
     _require(name, f"force={force})" in about and f"gap={gap})" in about, f"another loop: {about}")
     _require(name, abs(_period(name) * frequency - 1) < COMPUTED, f"another frequency than {frequency} Hz")
     return (
@@ -107,8 +107,8 @@ def _kept(name: str) -> dict[str, Any]:
 
 
 def _period(name: str) -> float:
-    data = _kept(name)["data"]
-    return math.fsum(each["duration"] for each in data["segments"])
+    segments = _kept(name)["data"]["motion"]["segments"]
+    return math.fsum(each["duration"] for each in segments)
 
 
 def _multiplier(name: str) -> tuple[float, float]:

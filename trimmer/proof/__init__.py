@@ -1,9 +1,10 @@
 """Proofs by ball arithmetic of what was computed, and their check without what computed it.
 
 ``prove`` takes results and writes down the statement with its data; ``proof`` holds and reads proofs. The
-check imports nothing of the solvers: ``balls``, exact numbers; ``described``, describing functions;
-``proportional`` and ``plane``, all solutions of harmonic balance; ``cycles`` holds a list against them;
-``following``, an orbit in balls, ``returning`` and ``between_events``, that it returns without other events.
+check imports nothing of the solvers: ``statement``, what a file is about; ``balls``, exact numbers;
+``described``, describing functions; ``proportional`` and ``plane``, all solutions of harmonic balance;
+``cycles`` holds a list against them; ``form``, whether a motion is told whole; ``following``, it in balls;
+``returning`` and ``between_events``, that it returns without other events.
 """
 
 import lazy_loader

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_mat, fmpq_poly
+
+from trimmer.proof.statement import Coefficients, Matrices
 
 PRECISION = 192
 """Bits of the midpoints of balls; 53 would be those of doubles."""
@@ -54,31 +55,28 @@ def in_balls(parts: tuple[fmpq_poly, fmpq_poly], reversed_to: int | None = None)
     return acb_poly(values)
 
 
-def fraction_of(plant: dict[str, list]) -> tuple[fmpq_poly, fmpq_poly]:  # type: ignore[type-arg]
-    """Return numerator and denominator of a plant without common factors, exact.
-
-    Args:
-        plant: ``numerator`` and ``denominator``, of falling powers; or matrices ``A``, ``B``, ``C``, ``D``.
-    """
-    if "numerator" in plant:
-        given = plant["numerator"], plant["denominator"]
-        sides = [fmpq_poly([exact(each) for each in side[::-1]]) for side in given]
+def fraction_of(plant: Coefficients | Matrices) -> tuple[fmpq_poly, fmpq_poly]:
+    """Return numerator and denominator of a plant without common factors, exact."""
+    if isinstance(plant, Coefficients):
+        sides = [
+            fmpq_poly([exact(each) for each in side[::-1]]) for side in (plant.numerator, plant.denominator)
+        ]
     else:
-        sides = _from_states(plant["A"], plant["B"], plant["C"], plant["D"][0][0])
+        sides = _from_states(plant)
+    if sides[1].is_zero():
+        raise ValueError("the denominator of the plant is zero")
     common = sides[0].gcd(sides[1])
     return sides[0] // common, sides[1] // common
 
 
-def _from_states(
-    A: Sequence[Sequence[float]], B: Sequence[Sequence[float]], C: Sequence[Sequence[float]], D: float
-) -> list[fmpq_poly]:
+def _from_states(plant: Matrices) -> list[fmpq_poly]:
     """Return det(sI - A + BC) - (1 - D) det(sI - A), and det(sI - A)."""
-    size = len(A)
-    entries = [[exact(each) for each in row] for row in A]
-    column, row = [exact(each[0]) for each in B], [exact(each) for each in C[0]]
-    fed_back = [[entries[i][k] - column[i] * row[k] for k in range(size)] for i in range(size)]
+    size = range(len(plant.A))
+    entries = [[exact(each) for each in row] for row in plant.A]
+    column, row = [exact(each[0]) for each in plant.B], [exact(each) for each in plant.C[0]]
+    fed_back = [[entries[i][k] - column[i] * row[k] for k in size] for i in size]
     below, above = fmpq_mat(entries).charpoly(), fmpq_mat(fed_back).charpoly()
-    return [above - below + exact(D) * below, below]
+    return [above - below + exact(plant.D[0][0]) * below, below]
 
 
 def positive_roots(polynomial: fmpq_poly) -> list[tuple[arb, int]] | None:

@@ -7,25 +7,41 @@ import math
 from flint import arb, arb_mat
 
 from trimmer.proof.balls import about
-from trimmer.proof.following import BY_LAW, Followed, Motion, Segment, identity, norm
+from trimmer.proof.following import BY_LAW, Followed, Motion, Segment, norm
+from trimmer.proof.statement import MOST_ZEROS
 from trimmer.proof.undecided import RefutedError, UndecidedError
 
 TERMS = 18
 """Of Taylor's polynomials over a step."""
-MOST_STEPS, MOST_ZEROS = 6000, 3
+MOST_STEPS = 6000
+REACHED, LEAST = 4.0, 1e-5
+"""How often the largest modulus of a state a size may be; share of all sizes below which it may be any."""
 
 
-def require_positive_between(motion: Motion, number: int, segment: Segment, over: Followed) -> None:
-    """Enclose all event functions over a segment.
+def require_no_other_events(motion: Motion, over: Followed) -> None:
+    """Enclose all event functions over each segment; hold the sizes of the file against the states there.
 
     Raises:
-        RefutedError: if one is negative.
+        RefutedError: if one is negative, or a size is none that the motion has.
         UndecidedError: if one may be zero where it must not.
     """
+    largest = [arb(0)] * motion.n
+    for number in range(len(motion.segments)):
+        for z in _require_positive_between(motion, number, over):
+            largest = [each.max(abs(z[i, 0]).lower()) for i, each in enumerate(largest)]
+    sizes = motion.course.sizes
+    for i, (reached, size) in enumerate(zip(largest, motion.sizes, strict=False)):
+        if not (size < REACHED * reached or sizes[i] < LEAST * max(sizes)):
+            raise RefutedError(f"the size {sizes[i]!r} of state {i} is none that the motion reaches")
+
+
+def _require_positive_between(motion: Motion, number: int, over: Followed) -> list[arb_mat]:
+    """Enclose all event functions over a segment; return Z at some instants of it."""
+    segment, end = motion.segments[number], over.ends[number]
     duration = segment.duration + over.lates[number]
-    _require_demands(segment, over.ends[number], f"at the end of segment {number}")
-    if not segment.functions.nrows() or (number == 0 and segment.at == 0 and segment.duration == 0):
-        return
+    _require_demands(segment, end, f"at the end of segment {number}")
+    if number == 0 and segment.at == 0 and segment.duration == 0:
+        return [end]
     if not duration > 0:
         raise RefutedError(f"segment {number} ends before it begins")
     scales, rate = _scales(motion, segment)
@@ -33,23 +49,20 @@ def require_positive_between(motion: Motion, number: int, segment: Segment, over
     if count > MOST_STEPS:
         raise UndecidedError(f"segment {number} is too long for its fastest rate: {count} steps")
     step = duration / count
-    whole, power = (segment.flow * step).exp(), identity(len(scales))
+    whole, passed = (segment.flow * step).exp(), [over.starts[number]]
     functions = range(segment.functions.nrows())
     falling = [] if segment.fired is None else [segment.fired, *_together(segment)]
     for place in range(count):
-        z = power * over.starts[number]
-        is_last = place == count - 1
-        values = _polynomials(scales, segment, z, step, rate)
+        values = _polynomials(scales, segment, passed[-1], step, rate) if functions else None
         for function in functions:
-            zeros = segment.zeros.get(function, 0) if place == 0 else 0
-            if is_last and function in falling:
-                continue
-            _require_positive(values, function, zeros, number)
-        power = power * whole
+            if values is not None and not (place == count - 1 and function in falling):
+                _require_positive(values, function, 0 if place else segment.zeros.get(function, 0), number)
+        passed.append(whole * passed[-1])
     if falling:
-        values = _polynomials(scales, segment, over.ends[number], -step, rate)
+        values = _polynomials(scales, segment, end, -step, rate)
         for function in falling:
             _require_positive(values, function, 1, number)
+    return passed
 
 
 def _scales(motion: Motion, segment: Segment) -> tuple[list[arb], arb]:
@@ -64,8 +77,7 @@ def _scales(motion: Motion, segment: Segment) -> tuple[list[arb], arb]:
             if out > 0 and into > 0:
                 balanced[i] = math.sqrt(out / into)
     largest = max(float(each) / other for each, other in zip(motion.sizes[:n], balanced, strict=True))
-    given = [arb(max(each, 2.0**-20)) for each in motion.given_sizes]
-    choices = [motion.sizes, given, [*(arb(largest * each) for each in balanced), *motion.sizes[n:]]]
+    choices = [motion.sizes, [*(arb(largest * each) for each in balanced), *motion.sizes[n:]]]
     found = []
     for scales in choices:
         table = [[segment.flow[i, k] * scales[k] / scales[i] for k in range(size)] for i in range(size)]
@@ -73,7 +85,7 @@ def _scales(motion: Motion, segment: Segment) -> tuple[list[arb], arb]:
     return min(found, key=lambda each: float(each[1]))
 
 
-def _together(segment: Segment) -> list[int]:
+def _together(segment: Segment) -> tuple[int, ...]:
     """Return the event functions that fall with the one that ends a segment, of which they are multiples.
 
     Raises:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import math
 from itertools import combinations
-from typing import Any
 
 from flint import acb, arb, ctx, fmpq_poly
 
@@ -13,7 +11,8 @@ from trimmer.proof.described import Parts
 from trimmer.proof.outcome import Outcome, Verdict
 from trimmer.proof.plane import Plane
 from trimmer.proof.proportional import Solution, keeps_direction, solutions
-from trimmer.proof.undecided import UndecidedError
+from trimmer.proof.statement import Coefficients, LimitCycles, Matrices, Place
+from trimmer.proof.undecided import RefutedError, UndecidedError
 
 NEAR = 1e-9
 """Relative distance between a solution and its place in the list up to which it is the one listed."""
@@ -21,46 +20,42 @@ ROUNDED = 1e-6
 """Relative distance up to which the list may only be less precise than it should be."""
 
 
-def check_limit_cycles(data: dict[str, Any]) -> Outcome:
+def check_limit_cycles(data: LimitCycles) -> Outcome:
     """Hold a list against all solutions of 1 + N(A, omega) G(j omega) = 0.
 
-    Args:
-        data: ``plant``, ``element`` (terms), ``omega_range`` (two numbers or None) and ``limit_cycles``, each
-            with ``amplitude`` and ``omega``.
+    Raises:
+        UndecidedError: where balls do not tell.
+        RefutedError: if it is not that of all solutions.
     """
     with ctx.workprec(PRECISION):
-        try:
-            return _compared(all_solutions(data), data)
-        except UndecidedError as error:
-            return Outcome(Verdict.UNDECIDED, "", str(error))
+        _compare(all_solutions(data), data)
+    return Outcome(Verdict.PROVEN, _theorem(data.limit_cycles, data.omega_range), "")
 
 
-def all_solutions(data: dict[str, Any]) -> list[Solution]:
+def all_solutions(data: LimitCycles) -> list[Solution]:
     """Enclose all solutions, of rising omega.
 
     Raises:
         UndecidedError: where balls do not tell.
     """
-    num, given = fraction_of(data["plant"])
-    parts = Parts.of(data["element"])
+    num, given = fraction_of(data.plant)
+    parts = Parts.of(data.element)
     if num.is_zero():
         raise UndecidedError("G is zero")
     den = given + fmpq_poly([parts.gain, parts.damping]) * num
     if den.degree() < max(given.degree(), 1):
         raise UndecidedError("the linear part of the element cancels the highest derivative")
-    omegas = data["omega_range"]
-    if omegas is not None and not 0 < omegas[0] < omegas[1] < math.inf:
-        raise ValueError(f"omega_range is {omegas}")
+    omegas = data.omega_range
     if keeps_direction(parts):
         found = list(solutions(num, den, given, parts))
     else:
-        found = list(Plane(num, den, parts).solutions(tuple(omegas) if omegas else None))
+        found = list(Plane(num, den, parts).solutions(omegas))
     inside = [each for each in found if omegas is None or _is_within(each[1], omegas)]
     inside.sort(key=lambda each: (float(each[1].mid()), float(each[0].mid())))
     return inside
 
 
-def _is_within(omega: arb, omegas: list[float]) -> bool:
+def _is_within(omega: arb, omegas: tuple[float, float]) -> bool:
     lowest, highest = (real(exact(each)) for each in omegas)
     if omega < lowest or omega > highest:
         return False
@@ -69,39 +64,38 @@ def _is_within(omega: arb, omegas: list[float]) -> bool:
     raise UndecidedError("a solution stands at an end of the range of omega")
 
 
-def _compared(found: list[Solution], data: dict[str, Any]) -> Outcome:
-    listed, left = data["limit_cycles"], list(found)
-    for place, cycle in enumerate(listed, 1):
-        if not (cycle["amplitude"] > 0 and cycle["omega"] > 0):
-            return Outcome(Verdict.REFUTED, "", f"number {place} of the list is not positive")
+def _compare(found: list[Solution], data: LimitCycles) -> None:
+    left = list(found)
+    for place, cycle in enumerate(data.limit_cycles, 1):
+        if not (cycle.amplitude > 0 and cycle.omega > 0):
+            raise RefutedError(f"number {place} of the list is not positive")
         distances = [(_distance(each, cycle), each) for each in left]
         if not distances:
-            return Outcome(Verdict.REFUTED, "", f"there is no solution for number {place} of the list")
+            raise RefutedError(f"there is no solution for number {place} of the list")
         distance, nearest = min(distances, key=lambda each: float(each[0].mid()))
         if not distance < NEAR:
             at = f"the solution nearest to number {place} of the list is at {_told(nearest)}"
             if distance < ROUNDED or not distance > NEAR:
-                return Outcome(Verdict.UNDECIDED, "", f"{at}, farther from it than {NEAR:g}, relative")
-            return Outcome(Verdict.REFUTED, "", at)
+                raise UndecidedError(f"{at}, farther from it than {NEAR:g}, relative")
+            raise RefutedError(at)
         left = [each for each in left if each is not nearest]
     for each in left:
         lacking = f"the list lacks the solution at {_told(each)}"
-        if not _is_told(each[1], data["plant"]):
-            return Outcome(Verdict.UNDECIDED, "", f"{lacking}, where rounding of G decides")
-        return Outcome(Verdict.REFUTED, "", lacking)
+        if not _is_told(each[1], data.plant):
+            raise UndecidedError(f"{lacking}, where rounding of G decides")
+        raise RefutedError(lacking)
     for first, second in combinations(found, 2):
         if all(each.overlaps(other) for each, other in zip(first, second, strict=True)):
-            return Outcome(Verdict.UNDECIDED, "", f"two solutions near {_told(first)} are too near to part")
-    return Outcome(Verdict.PROVEN, _theorem(listed, data["omega_range"]), "")
+            raise UndecidedError(f"two solutions near {_told(first)} are too near to part")
 
 
-def _distance(solution: Solution, cycle: dict[str, float]) -> arb:
+def _distance(solution: Solution, cycle: Place) -> arb:
     """Bound the larger relative distance of amplitude and omega."""
-    amplitude, omega = (real(exact(cycle[name])) for name in ("amplitude", "omega"))
+    amplitude, omega = (real(exact(each)) for each in (cycle.amplitude, cycle.omega))
     return abs(solution[0] / amplitude - 1).max(abs(solution[1] / omega - 1))
 
 
-def _is_told(omega: arb, plant: dict[str, Any]) -> bool:
+def _is_told(omega: arb, plant: Coefficients | Matrices) -> bool:
     """Return whether the denominator, each coefficient off by its last digit, still differs from 0."""
     ordered = fraction_of(plant)[1].coeffs()
     sizes = sum((abs(real(each)) * omega**power for power, each in enumerate(ordered)), arb(0))
@@ -113,10 +107,10 @@ def _told(solution: Solution) -> str:
     return f"A = {float(solution[0].mid()):.12g}, omega = {float(solution[1].mid()):.12g} rad/s"
 
 
-def _theorem(listed: list[dict[str, float]], omegas: list[float] | None) -> str:
+def _theorem(listed: tuple[Place, ...], omegas: tuple[float, float] | None) -> str:
     count = {0: "no solution", 1: "exactly one solution"}.get(len(listed), f"exactly {len(listed)} solutions")
     where = "omega > 0" if omegas is None else f"omega from {omegas[0]!r} to {omegas[1]!r} rad/s"
-    places = "; ".join(f"A = {each['amplitude']!r}, omega = {each['omega']!r} rad/s" for each in listed)
+    places = "; ".join(f"A = {each.amplitude!r}, omega = {each.omega!r} rad/s" for each in listed)
     beside = f", each within {NEAR:g}, relative, of its place: {places}" if listed else ""
     return (
         "With the coefficients and the element of this file, taken as exact, 1 + N(A, omega) G(j omega) = 0 "

@@ -17,11 +17,14 @@ first integrates the velocity of the load relative to the pin, the second is 1 p
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import Any
 
 from flint import acb, arb, fmpq
 
 from trimmer.proof.balls import PI, I, exact, hull
+from trimmer.proof.statement import FROM_ZERO, NUMBERS, WITHOUT, Term
 
 
 @dataclass
@@ -45,49 +48,64 @@ class Parts:
     plays: list[tuple[fmpq, fmpq, fmpq | None, fmpq | None]] = field(default_factory=list)
 
     @classmethod
-    def of(cls, terms: list[dict]) -> Parts:  # type: ignore[type-arg]
-        """Add the terms of a file."""
+    def of(cls, terms: Iterable[Term]) -> Parts:
+        """Add the terms of a file.
+
+        Raises:
+            ValueError: if one is none that has a closed form, or a number is none that it may have.
+        """
         parts = cls()
         for term in terms:
-            weight = fmpq(1)
-            for factor in term["factors"]:
-                weight *= exact(factor)
-            parts._add(term, weight)
+            weight, numbers = _numbers(term)
+            parts._add(str(term["kind"]), weight, numbers)
         return parts
 
-    def _add(self, term: dict, weight: fmpq) -> None:  # type: ignore[type-arg]
-        kind = term["kind"]
-        if kind in ("relay", "preload"):
-            level, slope = weight * exact(term["level"]), exact(term.get("slope", 0.0))
-            on = exact(term.get("dead_zone", 0.0)) + exact(term.get("hysteresis", 0.0))
-            off = exact(term.get("dead_zone", 0.0)) - exact(term.get("hysteresis", 0.0))
-            self.gain += weight * slope
-            if on == 0:
+    def _add(self, kind: str, weight: fmpq, numbers: dict[str, Any]) -> None:
+        if kind == "backlash":
+            self.plays.append((weight, numbers["gap"], numbers["time_constant"], numbers["frozen_omega"]))
+        elif kind == "Coulomb friction":
+            self.square = (self.square[0], self.square[1] + weight * numbers["force"])
+        elif kind == "viscous friction":
+            self.damping += weight * numbers["damping"]
+        elif kind in ("relay", "preload"):
+            level, zero = weight * numbers["level"], fmpq(0)
+            self.gain += weight * numbers.get("slope", zero)
+            middle, half = numbers.get("dead_zone", zero), numbers.get("hysteresis", zero)
+            if middle + half == 0:
                 self.square = (self.square[0] + level, self.square[1])
             else:
-                self.relays.append((level, on, off))
-        elif kind == "Coulomb friction":
-            self.square = (self.square[0], self.square[1] + weight * exact(term["force"]))
-        elif kind == "viscous friction":
-            self.damping += weight * exact(term["damping"])
-        elif kind == "saturation":
-            self.corners.append((weight * exact(term["slope"]), exact(term["threshold"])))
-        elif kind == "dead zone":
-            self.gain += weight * exact(term["slope"])
-            self.corners.append((-weight * exact(term["slope"]), exact(term["threshold"])))
-        elif kind == "backlash":
-            lag = term["time_constant"]
-            frozen = term.get("frozen_omega")
-            self.plays.append(
-                (
-                    weight,
-                    exact(term["gap"]),
-                    None if lag is None else exact(lag),
-                    None if frozen is None else exact(frozen),
-                )
-            )
+                self.relays.append((level, middle + half, middle - half))
         else:
-            raise ValueError(f"the kind {kind!r} of an element is none that has a closed form here")
+            slope = weight * numbers["slope"]
+            if kind == "dead zone":
+                self.gain, slope = self.gain + slope, -slope
+            self.corners.append((slope, numbers["threshold"]))
+
+
+def _numbers(term: Term) -> tuple[fmpq, dict[str, Any]]:
+    """Return the product of the factors of a term, and its numbers, each in its range."""
+    kind, factors = term.get("kind"), term.get("factors")
+    if kind not in NUMBERS:
+        raise ValueError(f"the kind {kind!r} of an element is none that has a closed form here")
+    if set(term) != {"kind", "factors", *NUMBERS[str(kind)]} or not isinstance(factors, tuple):
+        raise ValueError(f"a {kind} has factors, {', '.join(NUMBERS[str(kind)])}, and nothing else")
+    weight = fmpq(1)
+    numbers: dict[str, Any] = {}
+    for name in NUMBERS[str(kind)]:
+        value = term[name]
+        if value is None and name in WITHOUT:
+            numbers[name] = None
+        elif isinstance(value, float) and (value > 0 or (value == 0 and name in FROM_ZERO)):
+            numbers[name] = exact(value)
+        else:
+            raise ValueError(f"{name} of a {kind} is {value!r}")
+    if numbers.get("frozen_omega") is not None and not numbers["time_constant"]:
+        raise ValueError("a backlash that is no matter of frequency is frozen at one")
+    for factor in factors:
+        weight *= exact(factor)
+    if weight == 0:
+        raise ValueError(f"a factor of a {kind} is 0")
+    return weight, numbers
 
 
 def corner(x: arb) -> tuple[arb, arb]:

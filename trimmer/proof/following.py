@@ -12,28 +12,27 @@ from __future__ import annotations
 import copy
 import functools
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 from flint import arb, arb_mat, ctx, fmpq
 
 from trimmer.proof.balls import about, exact, real
-from trimmer.proof.undecided import RefutedError, UndecidedError
+from trimmer.proof.statement import Course, Equations, Row, SpecialPoint
+from trimmer.proof.undecided import UndecidedError
 
 ORBIT_PRECISION = 448
 """Bits: enough for balls that grow by a factor e with each step of 1/|M|."""
 MOST_TERMS = 24
 """Of Taylor's polynomials over what an event is later than computed."""
-TOGETHER = 1e-9
-"""Share of a sample within which what a clock does is at one instant."""
 BY_LAW = 1e-9
 """Share of its terms below which something is taken for what the law says: zero."""
 RADIUS = -150
 """Power of two of the radius of the ball of starts, as a share of the sizes."""
 
 
-def matrix(rows: list[list[float]]) -> arb_mat:
+def matrix(rows: Sequence[Row]) -> arb_mat:
     """Return doubles as exact balls."""
     return arb_mat([[real(exact(each)) for each in row] for row in rows])
 
@@ -61,7 +60,7 @@ class Segment:
     reset: arb_mat
     duration: arb
     fired: int | None
-    together: list[int]
+    together: tuple[int, ...]
     zeros: dict[int, int]
     at: arb | None
     strict: arb_mat | None
@@ -134,40 +133,44 @@ class Motion:
     """The statement's data in balls.
 
     Args:
-        data: The data of a file: ``modes``, ``segments``, ``state``, ``forcing``, ``rotation``, ``sizes``,
-            ``period``, ``periods``, and ``signs``, if the end is to be the mirror image of the start.
-        beside: Of a family over a number: its ``value``, and two of ``beside`` with ``value``, ``modes``,
-            ``resets``, ``forcing`` and ``period``.
+        course: The motion.
+        equations: Of the system; or the statement with two of them, between which they are a straight line.
+
+    Raises:
+        RefutedError: if it does not end as it begins, or nothing says why a segment ends.
     """
 
-    def __init__(self, data: dict[str, Any], beside: dict[str, Any] | None = None) -> None:
-        self.n, self.autonomous = len(data["state"]), data["period"] is None
-        self.count = self.n + len(data["forcing"])
+    def __init__(self, course: Course, equations: Equations | SpecialPoint) -> None:
+        self.course, self.slopes, self.unit = course, None, arb(1)
+        sides = (
+            [equations] if isinstance(equations, Equations) else [each.equations for each in equations.beside]
+        )
+        self.n, self.autonomous = len(course.state), sides[0].period is None
+        self.count = self.n + len(sides[0].forcing)
         # Powers of two as units of the states change no digit.
-        units = [math.frexp(each)[1] if each > 0 else 0 for each in data["sizes"]]
-        self.units = [arb(2) ** each for each in (*units, *(0 for _ in data["forcing"]))]
-        self.signs = data.get("signs") or [1] * self.n
+        units = [*(math.frexp(each)[1] for each in course.sizes), *(0 for _ in sides[0].forcing)]
+        self.units = [arb(2) ** each for each in units]
+        self.signs = course.signs or (1,) * self.n
+        self.sizes = [*self._in_units(course.sizes), *(arb(1) for _ in sides[0].forcing)]
+        self.start = self._in_units(course.state)
         self.shifts = [
             (
-                [real(exact(each)) / unit for each, unit in zip(along, self.units, strict=False)],
+                self._in_units(along),
                 [real(exact(each)) * unit for each, unit in zip(leader, self.units, strict=False)],
             )
-            for along, leader in data.get("shifts", [])
+            for along, leader in course.shifts
         ]
-        self._require_return(data)
-        self._require_clock(data)
-        self.data, self.slopes, self.unit = data, None, arb(1)
-        self.tables = self._tables({**data, "resets": [each["reset"] for each in data["segments"]]})
-        if beside is not None:
-            values = [exact(each["value"]) for each in beside["beside"]]
-            sides = [self._tables({**data, **each}) for each in beside["beside"]]
-            self.unit = arb(2) ** math.frexp(beside["value"])[1]
-            self.slopes = sides[1].combined(fmpq(-1), sides[0])
-            self.slopes = self.slopes.combined(self.unit / real(values[1] - values[0]) - 1, self.slopes)
-        self.start = [real(exact(each)) / unit for each, unit in zip(data["state"], self.units, strict=False)]
+        self.tables = self._tables(sides[0])
+        if isinstance(equations, SpecialPoint):
+            first, last = (exact(each.value) for each in equations.beside)
+            change = self._tables(sides[1]).combined(fmpq(-1), self.tables)
+            self.unit = arb(2) ** math.frexp(equations.value)[1]
+            self.slopes = change.combined(self.unit / real(last - first) - 1, change)
+            self.tables = self.tables.combined((exact(equations.value) - first) / (last - first), change)
         self.segments = self._segments(self.tables)
-        self.sizes = self._sizes()
-        self._require_shifts()
+
+    def _in_units(self, values: Row) -> list[arb]:
+        return [real(exact(each)) / unit for each, unit in zip(values, self.units, strict=False)]
 
     @property
     def unknowns(self) -> int:
@@ -187,93 +190,46 @@ class Motion:
         found.segments = self._segments(found.tables)
         return found
 
-    def _require_return(self, data: dict[str, Any]) -> None:
-        first, last = data["segments"][0], data["segments"][-1]
-        if last["fired"] is not None or ("signs" not in data and first["mode"] != last["mode"]):
-            raise RefutedError("the motion does not end in the mode in which it begins")
-        if any(each["fired"] is None and each.get("at") is None for each in data["segments"][:-1]):
-            raise RefutedError("a segment ends without an event")
-        if any(each not in (1, -1) for each in self.signs):
-            raise RefutedError("a mirror image has other signs than 1 and -1")
-        whole = "signs" in data or float(data["periods"] or 0).is_integer()
-        resets = [each["reset"] for each in data["segments"]]
-        if not whole or not _returns(data["rotation"]) or not all(map(self._leaves_forcing, resets)):
-            raise RefutedError("what forces the states does not return")
-
-    def _require_clock(self, data: dict[str, Any]) -> None:
-        """Hold the times at which a clock ends segments against its samples and delays.
-
-        Raises:
-            RefutedError: if one is missing, or is none.
-        """
-        told = [float(each["at"]) for each in data["segments"] if each.get("at") is not None]
-        clock = data.get("clock", [])
-        if not clock and not told:
-            return
-        whole, slack = data["period"] * data["periods"], TOGETHER * min(sample for sample, _ in clock)
-        due = [
-            late + k * sample
-            for sample, delay in clock
-            for late in (0.0, delay)
-            for k in _counts(whole, sample)
-        ]
-        due = sorted(each % whole if each > whole - slack else each for each in due)
-        apart = [each for place, each in enumerate(due) if not place or each - due[place - 1] > slack]
-        if len(apart) != len(told) or any(abs(a - b) > slack for a, b in zip(apart, told, strict=True)):
-            raise RefutedError("the instants of the clock are not those of its samples")
-
-    def _leaves_forcing(self, reset: list[list[float]]) -> bool:
-        rows = enumerate(reset[self.n :], self.n)
-        return all(row[k] == int(i == k) for i, row in rows for k in range(len(row)))
-
-    def _tables(self, data: dict[str, Any]) -> Tables:
-        """Return the numbers of data in the units."""
-        if not all(map(self._leaves_forcing, data["resets"])):
-            raise RefutedError("what forces the states does not return")
+    def _tables(self, given: Equations) -> Tables:
+        """Return the numbers of equations in the units."""
         period = arb(0)
-        if data["period"] is not None:
-            period = real(exact(data["period"])) * real(exact(data["periods"]))
+        if given.period is not None:
+            period = real(exact(given.period)) * real(exact(self.course.periods))
         return Tables(
-            [self._square(self._flow(mode["flow"])) for mode in data["modes"]],
-            [self._rows(matrix(mode["functions"])) for mode in data["modes"]],
-            [self._square(matrix(each)) for each in data["resets"]],
-            arb_mat([[real(exact(each))] for each in data["forcing"]]),
+            [self._square(_padded(matrix(mode.flow), self.count, self.count)) for mode in given.modes],
+            [self._rows(matrix(mode.functions)) for mode in given.modes],
+            [self._square(matrix(each)) for each in given.resets],
+            arb_mat([[real(exact(each))] for each in given.forcing]),
             period,
         )
 
     def _segments(self, tables: Tables) -> list[Segment]:
         found, by, turns = [], self.slopes, self._rotation(tables.period)
-        for place, each in enumerate(self.data["segments"]):
-            mode = each["mode"]
-            three = tables.flows[mode] + turns[0], tables.functions[mode], tables.resets[place]
+        for each, reset in zip(self.course.segments, range(len(tables.resets)), strict=True):
+            mode = each.mode
+            three = tables.flows[mode] + turns[0], tables.functions[mode], tables.resets[reset]
             lifted = three
             if by is not None:
-                slopes = by.flows[mode] + turns[1] * by.period, by.functions[mode], by.resets[place]
+                slopes = by.flows[mode] + turns[1] * by.period, by.functions[mode], by.resets[reset]
                 lifted = (
                     _blocks([[three[0], slopes[0]], [three[0] * 0, three[0]]]),
                     _blocks([[three[1], slopes[1]]]),
                     _blocks([[three[2], slopes[2]], [three[2] * 0, three[2]]]),
                 )
-            zeros = {int(function): int(count) for function, count in each["zeros"]}
-            duration = real(exact(each["duration"]))
-            at = None if each.get("at") is None else real(exact(each["at"]))
-            strict = self._rows(matrix(each["strict"])) if each.get("strict") else None
-            falls = each["fired"], each["together"], zeros
-            found.append(Segment(*three, duration, *falls, at, strict, lifted))
+            at = None if each.at is None else real(exact(each.at))
+            strict = self._rows(matrix(each.strict)) if each.strict else None
+            falls = each.fired, each.together, dict(each.zeros)
+            found.append(Segment(*three, real(exact(each.duration)), *falls, at, strict, lifted))
         return found
 
     def _rotation(self, period: arb) -> tuple[arb_mat, arb_mat]:
         """Return the flow of what forces the states, orders times 2 pi over a period, and its slope."""
-        zeros, orders = [arb(0)] * self.n, self.data["rotation"]
+        zeros, orders = [arb(0)] * self.n, self.course.rotation
         table = arb_mat([[arb(0)] * self.count] * self.n + [[*zeros, *map(arb, row)] for row in orders])
         if self.autonomous:
-            return table * 0, table * 0
-        omega = 2 * arb.pi() * real(exact(self.data["periods"])) / period
+            return table, table
+        omega = 2 * arb.pi() * real(exact(self.course.periods)) / period
         return table * omega, table * (-omega / period)
-
-    def _flow(self, rows: list[list[float]]) -> arb_mat:
-        """Return the flow of the states."""
-        return _padded(matrix(rows), self.count, self.count)
 
     def _square(self, table: arb_mat) -> arb_mat:
         """Return a matrix from Z to Z in the units."""
@@ -284,38 +240,6 @@ class Motion:
         """Return functionals of Z in the units."""
         size = range(self.count)
         return arb_mat([[table[i, k] * self.units[k] for k in size] for i in range(table.nrows())])
-
-    @property
-    def given_sizes(self) -> list[float]:
-        """The sizes of the file, in the units."""
-        given = (each / float(unit) for each, unit in zip(self.data["sizes"], self.units, strict=False))
-        return [*given, *(1.0 for _ in range(self.count - self.n))]
-
-    def _require_shifts(self) -> None:
-        """Hold it against the equations that nothing changes along the shifts, but for rounding.
-
-        Raises:
-            RefutedError: if something does.
-        """
-        for along, _ in self.shifts:
-            way = arb_mat([[each] for each in along] + [[arb(0)] for _ in range(self.count - self.n)])
-            for segment in self.segments:
-                changes = [segment.flow, segment.functions, segment.reset - identity(self.count)]
-                for table in [*changes, *([segment.strict] if segment.strict is not None else [])]:
-                    sizes = arb_mat([[abs(each) for each in row] for row in table.tolist()])
-                    moduli = arb_mat([[abs(each)] for each in way.entries()])
-                    pairs = zip((table * way).entries(), (sizes * moduli).entries(), strict=True)
-                    if any(not abs(value) <= BY_LAW * size for value, size in pairs):
-                        raise RefutedError("something changes along a shift")
-
-    def _sizes(self) -> list[arb]:
-        """Return the largest modulus of each entry of Z over the ends of segments, at least a little."""
-        start = [arb(each.mid()) for each in self.start]
-        middle = self.follow(start + [arb(0)] * (self.unknowns - self.n))
-        every = [*middle.starts, *middle.ends]
-        sizes = [max(float(abs(each[i, 0]).upper()) for each in every) for i in range(self.n)]
-        floor = max(sizes) * 2.0**-10
-        return [arb(max(each, floor)) for each in sizes] + [arb(1) for _ in range(self.count - self.n)]
 
     def follow(self, unknown: list[arb], with_change: bool = False) -> Followed:
         """Follow the motion from a ball of what is unknown.
@@ -390,10 +314,6 @@ class Motion:
         return [arb((rates[i, 0] / self.sizes[i] ** 2).mid()) for i in range(self.n)]
 
 
-def _counts(whole: float, sample: float) -> range:
-    return range(round(whole / sample))
-
-
 def _column(table: arb_mat, place: int, rows: int) -> arb_mat:
     return arb_mat([[table[i, place]] for i in range(rows)])
 
@@ -411,16 +331,6 @@ def _padded(table: arb_mat, rows: int, columns: int) -> arb_mat:
     """Fill a table with zeros below and to the right."""
     wide = [[*row, *([arb(0)] * (columns - len(row)))] for row in table.tolist()]
     return arb_mat(wide + [[arb(0)] * columns for _ in range(rows - len(wide))])
-
-
-def _returns(orders: list[list[int]]) -> bool:
-    """Return whether exp(2 pi R) = 1 of whole numbers R: antisymmetric, -R^2 diagonal, of squares."""
-    table, size = [[int(each) for each in row] for row in orders], range(len(orders))
-    opposite = [[-table[k][i] for k in size] for i in size]
-    squares = [[-sum(table[i][j] * table[j][k] for j in size) for k in size] for i in size]
-    return opposite == table and all(
-        squares[i][k] == (math.isqrt(squares[i][k]) ** 2 if i == k else 0) for i in size for k in size
-    )
 
 
 def identity(size: int) -> arb_mat:

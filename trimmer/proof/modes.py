@@ -15,11 +15,13 @@ from trimmer.hybrid.system import EventFunction, Mode, System
 from trimmer.hybrid.variation import end_of_instant
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
+from trimmer.proof.statement import MOST_ZEROS
 from trimmer.response.orbit import Orbit
 
-MOST_ZEROS = 3
 LEAST = 1e-6
 """Size of a state as a share of the largest of its kind that it has at least: below that it hardly moves."""
+INSTANTS = 256
+"""Of a motion, at which its size is taken."""
 BESIDE = 1e-6
 """Share of a motion within which an event is too near to where it begins."""
 SMALL = 1e-10
@@ -80,16 +82,12 @@ def orbit_data(orbit: Orbit, flow: Flow) -> dict[str, Any]:
     if not orbit.success:
         raise UncoveredError("it does not return")
     stable = True if orbit.stable else None if orbit.neutral else False
-    frame: dict[str, Any] = {}
-    if orbit.advances:
-        if flow is not orbit.flow:
-            raise UncoveredError("the orbit is one of another system, in another frame")
-        frame = {"frame": flow.modes.system.layout.frame.velocities.tolist()}
-    return {
-        **frame,
-        **motion_data(begun_amid(orbit.course), flow, orbit.sizes, orbit.periods),
-        "stable": stable,
-    }
+    if orbit.advances and flow is not orbit.flow:
+        raise UncoveredError("the orbit is one of another system, in another frame")
+    frame = flow.modes.system.layout.frame.velocities.tolist() if orbit.advances else []
+    course = begun_amid(orbit.course)
+    motion = motion_data(course, flow, orbit.periods)
+    return {"motion": {**motion, "frame": frame}, "equations": equations_data(course, flow), "stable": stable}
 
 
 def begun_amid(course: Course) -> Course:
@@ -104,8 +102,8 @@ def begun_amid(course: Course) -> Course:
     return course.turned(later, phase % period if period else phase)
 
 
-def motion_data(course: Course, flow: Flow, sizes: Any, periods: float) -> dict[str, Any]:
-    """Return modes and segments of a motion of some periods of the drive, 0 without one.
+def motion_data(course: Course, flow: Flow, periods: float) -> dict[str, Any]:
+    """Return the segments of a motion of some periods of the drive, 0 without one.
 
     Raises:
         UncoveredError: if it is none that the check covers.
@@ -118,46 +116,43 @@ def motion_data(course: Course, flow: Flow, sizes: Any, periods: float) -> dict[
     n = layout.state_count
     segments: list[dict[str, Any]] = []
     largest = abs(log.state).max(axis=0)
-    largest[:n] = np.maximum(largest[:n], sizes[:n])
+    within = course.states(np.linspace(0.0, course.duration, INSTANTS))[:, :n]
+    largest[:n] = np.maximum(largest[:n], abs(within).max(axis=0))
     for kind in layout.kinds:
         largest[kind] = np.maximum(largest[kind], LEAST * largest[kind].max(initial=0.0))
+    largest[:n] = np.where(largest[:n] > 0.0, largest[:n], LEAST * (largest[:n].max(initial=0.0) or 1.0))
     ends = [*(float(log.start[first]) for first, _ in rows[1:]), float(course.duration)]
     used = _used(log)
     for place, ((first, last), end) in enumerate(zip(rows, ends, strict=True)):
-        mode = seen.mode(last)
-        fired = None if place + 1 == len(rows) else seen.fires(rows[place + 1][0])
+        mode, following = seen.mode(last), None if place + 1 == len(rows) else rows[place + 1][0]
+        fired = None if following is None else seen.fires(following)
+        owners = _owners(seen, first, last)
         segments.append(
             {
                 "mode": used.index(int(log.mode[last])),
                 "duration": end - float(log.start[first]),
                 "fired": fired,
                 "together": []
-                if fired is None
-                else _together(mode, fired, course.before(rows[place + 1][0]), largest),
-                "reset": _reset(seen, first, last).tolist(),
-                "zeros": []
-                if not segments
-                else _zeros(mode, log.state[last], largest, _owners(seen, first, last)),
-                **({} if place + 1 == len(rows) else _tick(seen, rows[place + 1][0])),
+                if fired is None or following is None
+                else _together(mode, fired, course.before(following), largest),
+                "zeros": _zeros(mode, log.state[last], largest, owners) if place else [],
+                **({"at": None, "strict": []} if following is None else _tick(seen, following)),
             }
         )
-    omega = layout.omega or 1.0
-    extra: dict[str, Any] = {"shifts": _shifts(layout)} if flow.shifts else {}
-    if system.clockwork is not None:
-        extra["clock"] = [[each.sample, each.delay] for each in system.clockwork.samplers]
-        if course.begin.phase:
-            raise UncoveredError("a sampled motion that begins amid a period is not covered")
+    if system.clockwork is not None and course.begin.phase:
+        raise UncoveredError("a sampled motion that begins amid a period is not covered")
+    samplers = () if system.clockwork is None else system.clockwork.samplers
     return {
-        **extra,
         "about": flow.subject.title or type(flow.subject).__name__,
-        "modes": _modes(seen),
         "segments": segments,
         "sizes": largest[:n].tolist(),
         "state": log.state[0, :n].tolist(),
-        "forcing": log.state[0, n:].tolist(),
-        "rotation": np.rint(seen.mode(0).flow[n:, n:] / omega).astype(int).tolist(),
-        "period": float(layout.period) if periods else None,
-        "periods": periods,
+        "rotation": np.rint(seen.mode(0).flow[n:, n:] / (layout.omega or 1.0)).astype(int).tolist(),
+        "periods": float(periods),
+        "signs": [],
+        "shifts": _shifts(layout) if flow.shifts else [],
+        "frame": [],
+        "clock": [[each.sample, each.delay] for each in samplers],
     }
 
 
@@ -169,8 +164,8 @@ def _shifts(layout: Any) -> list[list[list[float]]]:
     return [[[*way, *rest], identity[leader].tolist()] for way, leader in pairs]
 
 
-def neighbour_data(course: Course, flow: Flow) -> dict[str, Any]:
-    """Return the numbers of the same modes and events with another value of a number.
+def equations_data(course: Course, flow: Flow) -> dict[str, Any]:
+    """Return the numbers of the modes and events of a motion, those that a flow gives them.
 
     Raises:
         UncoveredError: if they are none of the same.
@@ -196,7 +191,6 @@ def _modes(seen: Seen) -> list[dict[str, Any]]:
     modes = (seen.system.mode(seen.known[number].statuses) for number in _used(seen.log))
     return [
         {
-            "statuses": [int(each) for each in mode.statuses],
             "flow": mode.flow[:n].tolist(),
             "functions": [each.row.tolist() for each in mode.functions],
         }
@@ -263,7 +257,7 @@ def _reset(seen: Seen, first: int, last: int) -> Any:
 def _tick(seen: Seen, row: int) -> dict[str, Any]:
     """Return when a clock samples, and what is positive there: how far each demand is from its limits."""
     if seen.fires(row) is not None:
-        return {}
+        return {"at": None, "strict": []}
     (clock, number), rows = seen.clock(row), []
     sampled = seen.code(row) >> len(clock.limit)
     for c in reversed(range(len(clock.limit))):

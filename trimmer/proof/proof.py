@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 from trimmer.errors import MissingPackageError, TrimmerError
 from trimmer.files import read_content, write_atomically
-from trimmer.json_data import DataError, parsed_json
+from trimmer.json_data import DataError, parsed_json, typed
 from trimmer.messages import shown_value
 from trimmer.proof.outcome import Outcome, Verdict
+from trimmer.proof.statement import LimitCycles, Orbit, SpecialPoint
+from trimmer.proof.undecided import RefutedError, UndecidedError
 
 _FORMAT = 1
 
@@ -50,7 +53,7 @@ class Proof:
             FileWriteError: see ``trimmer.files.write_atomically``.
         """
         head = {"trimmer proof": _FORMAT, "statement": self.statement, "verdict": str(self.verdict)}
-        told = {**head, "theorem": self.theorem, "reason": self.reason}
+        told = {**head, "theorem": self.theorem, "reason": self.reason, "sha256 of data": _digest(self.data)}
         lines = [f"{json.dumps(key)}: {json.dumps(value)}" for key, value in told.items()]
         lines += [f'"data": {json.dumps(self.data, allow_nan=False)}']
         write_atomically(path, "{" + ",\n ".join(lines) + "}\n")
@@ -61,8 +64,15 @@ def proof_of(statement: str, data: dict[str, Any]) -> Proof:
 
     Raises:
         MissingPackageError: if python-flint is not installed.
+        ValueError: if the data are not those of such a statement.
     """
-    outcome = _checks()[statement](data)
+    check = _checks()[statement]
+    try:
+        outcome = check(typed(_STATEMENTS[statement], data))
+    except UndecidedError as error:
+        outcome = Outcome(Verdict.UNDECIDED, "", str(error))
+    except RefutedError as error:
+        outcome = Outcome(Verdict.REFUTED, "", str(error))
     return Proof(statement, outcome.verdict, outcome.theorem, outcome.reason, data)
 
 
@@ -70,7 +80,8 @@ def check_proof(path: Path | str) -> Proof:
     """Verify the theorem of a file again, from its data alone.
 
     Returns:
-        What comes out: proven only if the file says so, and its theorem is, word for word, what is proven.
+        What comes out: proven only if the file says so, its data are those with which it was written, and its
+        theorem is, word for word, what is proven.
 
     Raises:
         ProofFileError: if the file cannot be read, or is no proof.
@@ -80,15 +91,18 @@ def check_proof(path: Path | str) -> Proof:
     statement, data = told["statement"], told["data"]
     try:
         proof = proof_of(statement, data)
-    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+    except (ArithmeticError, ValueError) as error:
         raise ProofFileError(
-            f"{path}: its data are not those of a proof ({error!r}); write the proof again"
+            f"{path}: its data are not those of a proof ({error}); write the proof again"
         ) from error
     if not proof:
         return proof
-    if told["verdict"] != Verdict.PROVEN or told["theorem"] != proof.theorem:
+    if told["verdict"] != Verdict.PROVEN or told["reason"] or told["theorem"] != proof.theorem:
         reason = f"the file says another theorem than its data, which give: {proof.theorem}"
-        return Proof(statement, Verdict.REFUTED, "", reason, data)
+        return replace(proof, verdict=Verdict.REFUTED, theorem="", reason=reason)
+    if told["sha256 of data"] != _digest(data):
+        reason = f"its data are others than those with which it was written; they give: {proof.theorem}"
+        return replace(proof, verdict=Verdict.REFUTED, theorem="", reason=reason)
     return proof
 
 
@@ -101,10 +115,15 @@ def _read(path: Path) -> dict[str, Any]:
         raise ProofFileError(f"{path}: {error}") from error
     if not isinstance(told, dict) or told.get("trimmer proof") != _FORMAT:
         raise ProofFileError(f'{path}: it is no proof, which begins with "trimmer proof": {_FORMAT}')
-    wanted = {"statement": str, "verdict": str, "theorem": str, "data": dict}
+    wanted = {
+        **dict.fromkeys(("statement", "verdict", "theorem", "reason", "sha256 of data"), str),
+        "data": dict,
+    }
     for name, kind in wanted.items():
         if not isinstance(told.get(name), kind):
             raise ProofFileError(f"{path}: {name} is missing, or of another type; write the proof again")
+    if unknown := set(told) - {"trimmer proof", *wanted}:
+        raise ProofFileError(f"{path}: a proof has no {shown_value(min(unknown))}; remove it")
     if told["statement"] not in _STATEMENTS:
         raise ProofFileError(
             f"{path}: statement {shown_value(told['statement'])} is none that can be checked: "
@@ -113,10 +132,14 @@ def _read(path: Path) -> dict[str, Any]:
     return told
 
 
-_STATEMENTS = ("limit cycles", "orbit", "special point")
+def _digest(data: dict[str, Any]) -> str:
+    return sha256(json.dumps(data, sort_keys=True, allow_nan=False).encode()).hexdigest()
 
 
-def _checks() -> dict[str, Callable[[dict[str, Any]], Outcome]]:
+_STATEMENTS = {"limit cycles": LimitCycles, "orbit": Orbit, "special point": SpecialPoint}
+
+
+def _checks() -> dict[str, Callable[[Any], Outcome]]:
     try:
         from trimmer.proof.cycles import check_limit_cycles
         from trimmer.proof.orbit_check import check_orbit

@@ -67,7 +67,7 @@ def solutions(num: fmpq_poly, den: fmpq_poly, given: fmpq_poly, parts: Parts) ->
 
 
 def _never_zero(parts: Parts) -> bool:
-    return not (parts.corners or parts.relays)
+    return any(parts.square) and not (parts.corners or parts.relays)
 
 
 def _without_roots_of(polynomial: fmpq_poly, common: fmpq_poly) -> fmpq_poly:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from trimmer.arguments import require_instance, require_instances
@@ -15,7 +16,7 @@ from trimmer.branches.period_maps.driven_passage import DrivenPassage
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.errors import TrimmerError
 from trimmer.loops.loops import ClosedLoop
-from trimmer.proof.modes import UncoveredError, begun_amid, motion_data, neighbour_data, orbit_data
+from trimmer.proof.modes import UncoveredError, begun_amid, equations_data, motion_data, orbit_data
 from trimmer.proof.outcome import Verdict
 from trimmer.proof.proof import Proof, proof_of
 from trimmer.proof.terms import element_data, plant_data
@@ -107,9 +108,9 @@ def prove_orbit(system: Subject, orbit: Orbit) -> Proof:
 def prove_special_point(system: Subject, branch: FollowedBranch, special: SpecialPoint) -> Proof:
     """Prove that a branch has a special point, and where: to nine digits, within six of what was computed.
 
-    The equations are taken as straight lines over the number: those at its value, with slopes from two values
-    next to it. Orbits on a short piece of the branch are enclosed, each alone, so that they are one curve; on
-    it the number turns around (a fold), or a determinant changes its sign.
+    The equations are taken as straight lines over the number, through those at two values a millionth aside.
+    Orbits on a short piece of the branch are enclosed, each alone, so that they are one curve; on it the
+    number turns around (a fold), or a determinant changes its sign.
 
     Args:
         system: The mechanism or loop that was followed; of the number that was varied any value will do.
@@ -162,12 +163,15 @@ def _special_data(system: Subject, branch: FollowedBranch, special: SpecialPoint
             "motions that return but for a shift along which no force changes are not covered"
         )
     course = course if over.mirrored else begun_amid(course)
-    orbit = motion_data(course, flow, passage.sizes, 0 if branch.finds_period else over.length)
+    motion = motion_data(course, flow, 0 if branch.finds_period else over.length)
+    if motion["clock"]:
+        raise UncoveredError("special points of sampled motions are not covered")
     if over.mirrored:
-        orbit["signs"] = [int(each) for each in flow.mirrored_states]
+        motion["signs"] = [int(each) for each in flow.mirrored_states]
     beside = []
     for factor in (1.0 - ASIDE, 1.0 + ASIDE):
         changed = system.with_value(place, value * factor)
-        beside.append({"value": changed.value(place), **neighbour_data(course, flow_of(changed))})
+        equations = equations_data(course, flow_of(changed))
+        beside.append({"value": float(changed.value(place)), "equations": equations})
     told = {"kind": kind.word, "place": place, "value": value}
-    return {**told, "orbit": {**orbit, "stable": False}, "beside": beside}
+    return {**told, "motion": motion, "beside": sorted(beside, key=itemgetter("value"))}

@@ -11,14 +11,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 from flint import arb, arb_mat, ctx
 
-from trimmer.proof.balls import about
-from trimmer.proof.between_events import require_positive_between
+from trimmer.proof.balls import about, exact, real
+from trimmer.proof.between_events import require_no_other_events
 from trimmer.proof.following import Followed, Motion, identity
-from trimmer.proof.orbit_check import require_near
+from trimmer.proof.form import require_form, require_rest_at_start, require_shortest
+from trimmer.proof.orbit_check import require_near, taken_as_zero, unchecked
 from trimmer.proof.outcome import Outcome, Verdict
 from trimmer.proof.returning import (
     Plane,
@@ -29,6 +29,7 @@ from trimmer.proof.returning import (
     scales,
     solve,
 )
+from trimmer.proof.statement import SpecialPoint
 from trimmer.proof.undecided import RefutedError, UndecidedError
 
 PRECISION = 768
@@ -46,25 +47,20 @@ TOLD = 1e-9
 """Precision, relative, with which the value is told."""
 
 
-def check_special_point(data: dict[str, Any]) -> Outcome:
+def check_special_point(data: SpecialPoint) -> Outcome:
     """Hold a special point against the branch around it.
 
-    Args:
-        data: ``kind``, ``place``, ``value``; ``orbit`` there; ``beside``: two, each with ``value``,
-            ``modes``, ``resets``, ``forcing`` and ``period``.
+    Raises:
+        RefutedError: if it is elsewhere.
+        UndecidedError: if balls do not tell, or it is not covered.
     """
-    kind = data["kind"]
+    kind = data.kind
     if kind not in ("fold", "period-doubling", "symmetry-breaking"):
-        return Outcome(Verdict.UNDECIDED, "", f"special points of the kind {kind} are not covered")
-    if (kind == "symmetry-breaking") != ("signs" in data["orbit"]):
-        return Outcome(Verdict.UNDECIDED, "", f"a {kind} of other than half a motion is not covered")
+        raise UndecidedError(f"special points of the kind {kind} are not covered")
+    if (kind == "symmetry-breaking") != bool(data.motion.signs):
+        raise UndecidedError(f"a {kind} of other than half a motion is not covered")
     with ctx.workprec(PRECISION):
-        try:
-            return _checked(Motion(data["orbit"], data), data)
-        except UndecidedError as error:
-            return Outcome(Verdict.UNDECIDED, "", str(error))
-        except RefutedError as error:
-            return Outcome(Verdict.REFUTED, "", str(error))
+        return _checked(Motion(data.motion, data), data)
 
 
 @dataclass
@@ -123,25 +119,29 @@ def _secant(before: tuple[arb, arb], last: tuple[arb, arb]) -> arb | None:
     return None if change.contains(0) else arb((last[0] - last[1] * (last[0] - before[0]) / change).mid())
 
 
-def _checked(motion: Motion, data: dict[str, Any]) -> Outcome:
-    kind, is_fold = data["kind"], data["kind"] == "fold"
-    branch = Branch(motion, _plane(motion, is_fold), _turning if is_fold else _crossing)
+def _checked(motion: Motion, data: SpecialPoint) -> Outcome:
+    require_form(motion)
+    branch = Branch(
+        motion, _plane(motion, data.kind == "fold"), _turning if data.kind == "fold" else _crossing
+    )
     guess, height = branch.about_zero()
     half = arb(2) ** HALF
     piece = solve(motion, branch.at(height + about(half)), guess)
     require_near(motion, piece.unknown, BESIDE)
-    value = arb(data["value"]) + piece.unknown[-1] * motion.unit
-    if not abs(value / arb(data["value"]) - 1) < WITHIN:
-        raise RefutedError(f"the {kind} nearest to it is at {float(value.mid())!r}")
+    value = real(exact(data.value)) + piece.unknown[-1] * motion.unit
+    if not abs(value / real(exact(data.value)) - 1) < WITHIN:
+        raise RefutedError(f"the {data.kind} nearest to it is at {float(value.mid())!r}")
     whole = motion.at(piece.unknown[-1])
-    for number, segment in enumerate(whole.segments):
-        require_positive_between(whole, number, segment, piece.over)
+    require_rest_at_start(whole, piece.unknown)
+    require_no_other_events(whole, piece.over)
+    if not data.motion.signs:
+        require_shortest(whole, piece.over)
     if branch.sign(guess, height - half) == branch.sign(guess, height + half):
         raise UndecidedError("nothing changes its sign")
     told = f"{float(value.mid()):.10g}"
-    if not abs(value / arb(told) - 1) < TOLD:
+    if not abs(value / real(exact(float(told))) - 1) < TOLD:
         raise UndecidedError("the value is enclosed too widely")
-    return Outcome(Verdict.PROVEN, _theorem(data, told), "")
+    return Outcome(Verdict.PROVEN, _theorem(motion, data, told), "")
 
 
 def _plane(motion: Motion, is_fold: bool) -> Plane:
@@ -176,22 +176,25 @@ def _crossing(motion: Motion, over: Followed, plane: Plane) -> arb:
     return (in_sizes(motion, over) + identity(motion.n)).det()
 
 
-def _theorem(data: dict[str, Any], told: str) -> str:
-    orbit, kind, place = data["orbit"], data["kind"], data["place"]
-    motions = "periodic motions"
+def _theorem(motion: Motion, data: SpecialPoint, told: str) -> str:
+    kind, (first, second) = data.kind, (each.value for each in data.beside)
+    motions, modes = "periodic motions", "modes"
     if kind == "symmetry-breaking":
-        motions = "motions whose end is the mirror image of their start, by the signs of this file,"
+        motions = "motions whose end is the mirror image of their start"
+        modes = "modes, and their mirror images by the signs of this file,"
     happens = {
-        "fold": f"along it the rate of {place} has opposite signs at its ends, so it turns around",
+        "fold": "the rate of v has opposite signs at its ends, so it turns around",
         "period-doubling": "det(D + 1), D the derivative of the return, has opposite signs at its ends, so "
         "-1 is a multiplier on it",
         "symmetry-breaking": "det(D + 1), D the derivative of that return, has opposite signs at its ends, "
         "so 1 is a multiplier on it of a motion twice as long",
     }[kind]
     return (
-        f"The systems over {place} that are linear between events, with the modes of this file "
-        f"({orbit['about']}) at {data['value']!r} and slopes through those beside it, all numbers taken as "
-        f"exact, have one smooth curve of {motions} with the {len(orbit['segments']) - 1} events of this "
-        f"file in its order and no other, within {BESIDE:g} of its state as a share of the sizes of the "
-        f"states; {happens}: a {kind} within {TOLD:g}, relative, of {place} = {told}."
+        f"The systems over a number v ({data.place!r}, as this file says unchecked) that are linear between "
+        f"events, with {modes} on the straight line through those of this file at v = {first!r} and "
+        f"{second!r} {unchecked(data.motion.about)}, and so with what it says of the states after each "
+        f"event, all numbers taken as exact, have one smooth curve of {motions} with the "
+        f"{len(motion.segments) - 1} events of this file in its order and no other, within {BESIDE:g} of "
+        f"its state as a share of the sizes of the states.{taken_as_zero(motion)} On this curve, {happens}: "
+        f"a {kind} within {TOLD:g}, relative, of v = {told}."
     )

@@ -21,14 +21,15 @@ from trimmer.elements.saturation import Saturation
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
 from trimmer.elements.viscous_friction import ViscousFriction
+from trimmer.proof.statement import NUMBERS
 
-_NAMES = {
-    Relay: ("relay", ("level", "hysteresis", "dead_zone")),
-    Preload: ("preload", ("level", "slope")),
-    CoulombFriction: ("Coulomb friction", ("force",)),
-    ViscousFriction: ("viscous friction", ("damping",)),
-    Saturation: ("saturation", ("threshold", "slope")),
-    DeadZone: ("dead zone", ("threshold", "slope")),
+_KINDS = {
+    Relay: "relay",
+    Preload: "preload",
+    CoulombFriction: "Coulomb friction",
+    ViscousFriction: "viscous friction",
+    Saturation: "saturation",
+    DeadZone: "dead zone",
 }
 
 
@@ -53,10 +54,10 @@ def element_data(
         return element_data(element.element, factors, frozen or float(element.omega))
     if isinstance(element, Backlash):
         return [{"kind": "backlash", **_backlash(element, frozen), "factors": list(factors)}]
-    if type(element) not in _NAMES or (frozen and isinstance(element, ViscousFriction)):
+    if type(element) not in _KINDS or (frozen and isinstance(element, ViscousFriction)):
         return None
-    kind, names = _NAMES[type(element)]
-    numbers = {name: float(getattr(element, name)) for name in names}
+    kind = _KINDS[type(element)]
+    numbers = {name: float(getattr(element, name)) for name in NUMBERS[kind]}
     return [{"kind": kind, **numbers, "factors": list(factors)}]
 
 
@@ -64,5 +65,4 @@ def _backlash(element: Backlash, frozen: float | None) -> dict[str, float | None
     lag: float | None = 0.0 if isinstance(element, FrictionBacklash) else None
     if isinstance(element, ViscousBacklash) and math.isfinite(element.time_constant):
         lag = float(element.time_constant)
-    told = {"gap": float(element.gap), "time_constant": lag}
-    return {**told, "frozen_omega": frozen} if frozen and lag else told
+    return {"gap": float(element.gap), "time_constant": lag, "frozen_omega": frozen if lag else None}

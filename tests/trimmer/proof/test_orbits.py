@@ -132,15 +132,17 @@ def proof() -> Proof:
 
 
 def less_an_event(data: dict[str, Any]) -> None:
-    data["segments"][1]["duration"] += data["segments"].pop(2)["duration"]
+    segments = data["motion"]["segments"]
+    segments[1]["duration"] += segments.pop(2)["duration"]
+    data["equations"]["resets"].pop(2)
 
 
 def moved(data: dict[str, Any]) -> None:
-    data["state"][0] *= 1 + 1e-6
+    data["motion"]["state"][0] *= 1 + 1e-6
 
 
 def stiffer(data: dict[str, Any]) -> None:
-    row = max(data["modes"][0]["flow"], key=lambda each: max(map(abs, each)))
+    row = max(data["equations"]["modes"][0]["flow"], key=lambda each: max(map(abs, each)))
     place = int(np.argmax(np.abs(row)))
     row[place] *= 1 + 1e-6
 
@@ -150,24 +152,24 @@ def unstable(data: dict[str, Any]) -> None:
 
 
 def of_no_loss(data: dict[str, Any]) -> None:
-    data["segments"][0]["reset"][0][0] += 1e-3
+    data["equations"]["resets"][0][0][0] += 1e-3
 
 
 def longer(data: dict[str, Any]) -> None:
-    data["segments"][-1]["duration"] *= 1 + 1e-6
+    data["motion"]["segments"][-1]["duration"] *= 1 + 1e-6
 
 
 def another_event(data: dict[str, Any]) -> None:
-    functions = data["modes"][0]["functions"]
+    functions = data["equations"]["modes"][0]["functions"]
     functions.append([-each for each in functions[0]])
 
 
 def no_event(data: dict[str, Any]) -> None:
-    data["segments"][1]["zeros"].append([1, 1])
+    data["motion"]["segments"][1]["zeros"].append([1, 1])
 
 
 def two_at_once(data: dict[str, Any]) -> None:
-    data["segments"][1]["together"] = [0]
+    data["motion"]["segments"][1]["together"] = [0]
 
 
 @pytest.mark.parametrize(
@@ -203,9 +205,9 @@ def test_a_file_that_was_made_false_is_refused(
 @pytest.mark.parametrize(
     ("place", "value"),
     [
-        (("rotation",), [[0, 1, 0], [1, 0, 0], [0, 0, 0]]),
-        (("rotation",), [[0, 1, 1], [-1, 0, 1], [-1, -1, 0]]),
-        (("segments", 0, "reset", -1, 0), 1e-9),
+        (("motion", "rotation"), [[0, 1, 0], [1, 0, 0], [0, 0, 0]]),
+        (("motion", "rotation"), [[0, 1, 1], [-1, 0, 1], [-1, -1, 0]]),
+        (("equations", "resets", 0, -1, 0), 1e-9),
     ],
 )
 def test_what_forces_a_motion_must_return(tmp_path: Path, place: tuple, value: object) -> None:
@@ -240,7 +242,7 @@ def test_a_sampled_motion_has_the_multipliers_of_its_difference_equation() -> No
     sample[2, :3], sample[3, :3] = filtered, demand
     largest = abs(np.linalg.eigvals(np.linalg.matrix_power(sample, 20))).max()
     proof = prove_orbit(orbit.subject, orbit)
-    told = re.search(r"40 of them instants of a clock.* is between (\S+) and (\S+)\.$", proof.theorem)
+    told = re.search(r"40 of them at instants of a clock.* is between (\S+) and (\S+)\.$", proof.theorem)
     assert told is not None
     assert float(told[1]) <= largest <= float(told[2])
 
@@ -255,20 +257,20 @@ def test_a_ball_on_a_wall_loses_area_by_the_square_of_its_restitution() -> None:
 
 
 def faster(data: dict[str, Any]) -> None:
-    data["segments"][1]["reset"][1][1] *= 1 + 1e-6
+    data["equations"]["resets"][1][1][1] *= 1 + 1e-6
 
 
 def beyond_its_limit(data: dict[str, Any]) -> None:
-    rows = next(each["strict"] for each in data["segments"] if len(each.get("strict", [])) == 1)
+    rows = next(each["strict"] for each in data["motion"]["segments"] if len(each["strict"]) == 1)
     rows[0] = [-each for each in rows[0]]
 
 
 def sampled_later(data: dict[str, Any]) -> None:
-    next(each for each in data["segments"] if each.get("at"))["at"] += 1e-6
+    next(each for each in data["motion"]["segments"] if each["at"])["at"] += 1e-6
 
 
 def held_in_place(data: dict[str, Any]) -> None:
-    data["modes"][0]["flow"][2][1] -= 1.0
+    data["equations"]["modes"][0]["flow"][2][1] -= 1.0
 
 
 @pytest.mark.parametrize(
@@ -311,7 +313,7 @@ def require_return_and_events(proof: Proof, orbit: Orbit, mechanism: Mechanism, 
     around = once_around(BruteForce(), system, state, orbit.periods)
     growth = max(1.0, float(abs(orbit.nontrivial_multipliers).max(initial=0.0)))
     assert np.max(np.abs(around.final - state) / system.usual[:size]) < 1e-6 * growth, seed
-    times = np.cumsum([each["duration"] for each in proof.data["segments"]][:-1])
+    times = np.cumsum([each["duration"] for each in proof.data["motion"]["segments"]][:-1])
     for event in around.events:
         assert np.min(np.abs(times - event.time)) < 1e-6 * growth / mechanism.frequency, (seed, event)
 

@@ -1,0 +1,308 @@
+"""Files of proofs made false by somebody who adapts sentence and fingerprint too: none is proven again.
+
+What a change leaves true may be proven: each change here makes the theorem another one that is false, or has
+the file say what nothing verifies.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from copy import deepcopy
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import control
+import numpy as np
+import pytest
+import scipy.linalg
+
+from tests.trimmer.proof.test_limit_cycles import LOOPS, balanced
+from tests.trimmer.proof.test_orbits import ORBITS
+from tests.trimmer.proof.test_special_points import proven
+from trimmer import ClosedLoop, ViscousFriction
+
+pytest.importorskip("flint")
+from trimmer.proof import Proof, ProofFileError, check_proof, prove_limit_cycles, prove_orbit
+
+Data = dict[str, Any]
+Change = Callable[[Data], None]
+
+
+@cache
+def written(kind: str, name: str) -> Proof:
+    if kind == "list":
+        return prove_limit_cycles(*balanced(*LOOPS[name]))
+    if kind == "orbit":
+        orbit = ORBITS[name]()
+        return prove_orbit(orbit.subject, orbit)
+    return proven(name)
+
+
+def require_refused(path: Path, original: Proof, change: Change, told: str) -> None:
+    """Let the file say what its data give, if they give anything."""
+    data = deepcopy(original.data)
+    change(data)
+    replace(original, data=data).write(path)
+    try:
+        checked = check_proof(path)
+    except ProofFileError as error:
+        assert told in str(error)
+        return
+    assert told in checked.reason
+    assert (bool(checked), checked.theorem) == (False, "")
+
+
+def merged(data: Data, first: int, last: int) -> None:
+    """Leave out the segments from first to before last."""
+    del data["motion"]["segments"][first:last]
+    del data["equations"]["resets"][first:last]
+
+
+def half(data: Data) -> None:
+    """Of a motion that is its own mirror image, as a special point has it: the state with the other sign."""
+    segments = data["motion"]["segments"]
+    whole = sum(each["duration"] for each in segments)
+    merged(data, 2, len(segments))
+    segments[1].update(fired=None, duration=whole / 2 - segments[0]["duration"])
+    data["motion"]["signs"] = [-1] * len(data["motion"]["state"])
+
+
+def twice(data: Data) -> None:
+    motion, equations = data["motion"], data["equations"]
+    first, *rest = motion["segments"]
+    joined = {**rest[-1], **{key: first[key] for key in ("fired", "together", "at", "strict")}}
+    joined["duration"] += first["duration"]
+    motion["segments"] = [first, *rest[:-1], joined, *deepcopy(rest)]
+    equations["resets"] += deepcopy(equations["resets"][1:])
+    motion["periods"] *= 2
+
+
+def twice_and_otherwise(data: Data) -> None:
+    twice(data)
+    data["equations"]["resets"][-1][1][1] += 1e-13
+
+
+def without_an_event_of_three_periods(data: Data) -> None:
+    data["motion"]["periods"] = 3.0
+    data["motion"]["segments"][0]["duration"] *= 3
+
+
+def shorter_than_its_period(data: Data) -> None:
+    """End it with the last instant of the clock."""
+    segments = data["motion"]["segments"]
+    last = max(place for place, each in enumerate(segments) if each["at"] is not None)
+    del segments[last + 1 :], data["equations"]["resets"][last + 1 :]
+
+
+def backwards(data: Data) -> None:
+    data["motion"]["periods"] = -1.0
+    data["motion"]["segments"][0]["duration"] *= -1
+
+
+def of_no_length(data: Data) -> None:
+    data["motion"]["periods"] = 0.0
+    data["motion"]["segments"][0]["duration"] = 0.0
+
+
+def halved_at_its_start(data: Data) -> None:
+    """Let states jump to their halves without an event, and begin where that returns."""
+    motion, equations = data["motion"], data["equations"]
+    n, turning = len(motion["state"]), np.array(motion["rotation"]) * 2 * np.pi / equations["period"]
+    flow = np.vstack([equations["modes"][0]["flow"], np.hstack([np.zeros((len(turning), n)), turning])])
+    around = scipy.linalg.expm(flow * equations["period"])[:n]
+    forced = around[:, n:] @ equations["forcing"]
+    motion["state"] = np.linalg.solve(np.eye(n) - around[:, :n] / 2, forced).tolist()
+    for i in range(n):
+        equations["resets"][0][i][i] /= 2
+
+
+def off_in_units_of_its_own(data: Data) -> None:
+    data["motion"]["sizes"][0] *= 1e9
+    data["motion"]["state"][0] *= 1.1
+
+
+def without_limits(data: Data) -> None:
+    for each in data["motion"]["segments"]:
+        each["strict"] = []
+
+
+def together_with_nothing(data: Data) -> None:
+    data["motion"]["segments"][-1]["together"] = [0]
+
+
+def sizes_of_others(data: Data) -> None:
+    data["motion"]["sizes"][1] *= 1e-30
+    data["motion"]["state"][0] *= 1 + 1e-6
+
+
+def clock_of_another_period(data: Data) -> None:
+    sample = data["motion"]["clock"][0]
+    sample[0] *= data["equations"]["period"] / (data["equations"]["period"] - 0.3 * sample[0])
+
+
+def begun_at_a_touch(data: Data) -> None:
+    data["motion"]["segments"][0]["zeros"] = [[0, 1]]
+
+
+def ended_twice(data: Data) -> None:
+    next(each for each in data["motion"]["segments"] if each["fired"] is not None)["at"] = 0.0
+
+
+def with_remark(data: Data) -> None:
+    data["motion"]["remark"] = "it is the only one"
+
+
+def of_words(data: Data) -> None:
+    data["motion"]["sizes"][0] = str(data["motion"]["sizes"][0])
+
+
+def of_a_mode_from_behind(data: Data) -> None:
+    for each in data["motion"]["segments"]:
+        each["mode"] -= len(data["equations"]["modes"])
+
+
+def in_a_mode_that_is_no_mirror_image(data: Data) -> None:
+    last = data["motion"]["segments"][-1]["mode"]
+    modes = [each["equations"]["modes"] for each in data["beside"]]
+    data["motion"]["segments"][-1]["mode"] = len(modes[0])
+    for each in modes:
+        each.append(deepcopy(each[last]))
+        each[-1]["functions"].append([0.0] * (len(each[-1]["flow"][0]) - 1) + [1.0])
+
+
+def of_another_value(data: Data) -> None:
+    data["value"] *= 1 + 2e-6
+
+
+def of_half_a_motion(data: Data) -> None:
+    data["motion"]["signs"] = []
+    data["kind"] = "period-doubling"
+
+
+CHANGES = [
+    ("stable loop", half, "a part of a motion is no orbit"),
+    ("relay", twice, "2 times over"),
+    ("ball on a wall", twice, "2 times over"),
+    ("without events", without_an_event_of_three_periods, "3 times over"),
+    ("ball on a wall", twice_and_otherwise, "one event does different things to the states"),
+    ("sampled, at its limit", shorter_than_its_period, "the motion begins or ends at an event"),
+    ("sampled, at its limit", clock_of_another_period, "the instants of the clock are not those"),
+    ("without events", backwards, "a period is not positive"),
+    ("without events", of_no_length, "a period is not positive"),
+    ("without events", halved_at_its_start, "the states jump where the motion begins"),
+    ("without events", off_in_units_of_its_own, "of state 0 is none that the motion reaches"),
+    ("without events", sizes_of_others, "the motion begins elsewhere: state 0"),
+    ("relay", begun_at_a_touch, "the motion begins or ends at an event"),
+    ("sampled, at its limit", ended_twice, "a segment ends without an event"),
+    ("sampled, at its limit", without_limits, "the file says another theorem"),
+    ("relay", together_with_nothing, "an event function is named where none ends"),
+    ("relay", with_remark, "unknown key 'remark'"),
+    ("relay", of_words, "not a number"),
+    ("relay", of_a_mode_from_behind, "there is no mode -2"),
+]
+
+
+@pytest.mark.parametrize(("name", "change", "told"), CHANGES)
+def test_an_orbit_that_was_made_false_is_refused(
+    tmp_path: Path, name: str, change: Change, told: str
+) -> None:
+    require_refused(tmp_path / "orbit.json", written("orbit", name), change, told)
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "told"),
+    [
+        ("stops", in_a_mode_that_is_no_mirror_image, "does not end in the mode in which it begins"),
+        ("stops", of_half_a_motion, "half of a motion has signs, and no other has"),
+        ("doubling", of_another_value, "nearest to it is at 0.88437926"),
+    ],
+)
+def test_a_special_point_that_was_made_false_is_refused(
+    tmp_path: Path, name: str, change: Change, told: str
+) -> None:
+    require_refused(tmp_path / "special.json", written("special", name), change, told)
+
+
+@pytest.mark.parametrize(
+    ("name", "place", "value", "told"),
+    [
+        ("hysteresis before an integrator", "hysteresis", -0.1, "hysteresis of a relay is -0.1"),
+        ("relay", "level", 0.0, "level of a relay is 0.0"),
+        ("relay", "factors", [0.0], "a factor of a relay is 0"),
+        ("relay", "deadzone", 0.1, "and nothing else"),
+        ("saturation", "threshold", -0.3, "threshold of a saturation is -0.3"),
+        ("the thesis's", "gap", "4e-5", "gap of a backlash is '4e-5'"),
+        ("the thesis's", "frozen_omega", 5000.0, "frozen"),
+    ],
+)
+def test_an_element_that_is_none_is_refused(
+    tmp_path: Path, name: str, place: str, value: object, told: str
+) -> None:
+    def change(data: Data) -> None:
+        data["element"][0][place] = value
+
+    require_refused(tmp_path / "list.json", written("list", name), change, told)
+
+
+def test_what_a_list_says_besides_is_refused(tmp_path: Path) -> None:
+    def stable(data: Data) -> None:
+        data["limit_cycles"][0]["stable"] = True
+
+    def with_two_outputs(data: Data) -> None:
+        data["plant"]["C"].append(data["plant"]["C"][0])
+
+    original = written("list", "the thesis's")
+    require_refused(tmp_path / "list.json", original, stable, "unknown key 'stable'")
+    require_refused(tmp_path / "list.json", original, with_two_outputs, "do not fit together")
+
+
+def test_a_larger_range_is_another_theorem_that_is_false(tmp_path: Path) -> None:
+    loop, cycles = balanced(*LOOPS["the thesis's"])
+    lower = prove_limit_cycles(loop, cycles[:1], (100.0, 4000.0))
+
+    def wider(data: Data) -> None:
+        data["omega_range"] = [100.0, 5000.0]
+
+    require_refused(tmp_path / "list.json", lower, wider, "the list lacks the solution at A = 0.000332")
+
+
+def test_a_loop_that_is_linear_and_vibrates_at_any_amplitude_has_no_list() -> None:
+    """1 + N G = (s^2 + 1)(s + 1)/(...) with N = 0.5 s, at any amplitude."""
+    plant = control.tf([1.0], [1.0, 1.0, 0.5, 1.0])
+    proof = prove_limit_cycles(ClosedLoop(plant, ViscousFriction(0.5)), ())
+    assert (proof.verdict, proof.theorem) == ("undecided", "")
+
+
+@pytest.mark.parametrize(
+    ("content", "told"),
+    [
+        (lambda text: text.replace('"reason": ""', '"reason": "", "author": "nobody"'), "no 'author'"),
+        (lambda text: text.replace('"reason": ""', '"reason": "by hand"'), "another theorem"),
+        (lambda text: text.replace('"periods": ', '"periods": 7.0, "periods": '), "'periods' is there twice"),
+        # Still true, of a relay that sees more of the same output.
+        (lambda text: text.replace("8.0", "9.0"), "others than those with which it was written"),
+    ],
+)
+def test_a_file_that_was_touched_is_refused(tmp_path: Path, content: Any, told: str) -> None:
+    path = tmp_path / "orbit.json"
+    written("orbit", "relay").write(path)
+    touched = content(path.read_text())
+    assert touched != path.read_text()
+    path.write_text(touched)
+    try:
+        checked = check_proof(path)
+    except ProofFileError as error:
+        assert told in str(error)
+        return
+    assert not checked
+    assert told in checked.reason
+
+
+def test_what_a_file_calls_its_equations_is_told_as_unchecked() -> None:
+    assert (
+        "(of 'Vibratory conveyor', as it says unchecked)"
+        in written("orbit", "an advance that is found").theorem
+    )
+    assert "('frequency', as this file says unchecked)" in written("special", "doubling").theorem

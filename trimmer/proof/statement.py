@@ -1,0 +1,241 @@
+"""What a file of a proof is about, as frozen data: every key known, every shape and range held.
+
+States come first, then what forces them; together they are Z. ``typed`` of ``json_data`` reads these classes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+Row = tuple[float, ...]
+Table = tuple[Row, ...]
+Term = dict[str, str | float | Row | None]
+"""A part of an element: ``kind``, its numbers (``NUMBERS``), and ``factors``."""
+NUMBERS = {
+    "relay": ("level", "hysteresis", "dead_zone"),
+    "preload": ("level", "slope"),
+    "Coulomb friction": ("force",),
+    "viscous friction": ("damping",),
+    "saturation": ("threshold", "slope"),
+    "dead zone": ("threshold", "slope"),
+    "backlash": ("gap", "time_constant", "frozen_omega"),
+}
+FROM_ZERO = ("hysteresis", "dead_zone", "time_constant")
+"""What may be zero; all other numbers of an element are positive."""
+WITHOUT = ("time_constant", "frozen_omega")
+"""What may be None: an infinite one, or none."""
+
+
+@dataclass(frozen=True)
+class Coefficients:
+    """A plant by its polynomials, of falling powers."""
+
+    numerator: Row
+    denominator: Row
+
+
+@dataclass(frozen=True)
+class Matrices:
+    """A plant by its matrices, of one input and one output."""
+
+    A: Table
+    B: Table
+    C: Table
+    D: Table
+
+    def __post_init__(self) -> None:
+        size = len(self.A)
+        shapes = (self.A, size, size), (self.B, size, 1), (self.C, 1, size), (self.D, 1, 1)
+        _require(all(_is(*each) for each in shapes), "the matrices of the plant do not fit together")
+
+
+@dataclass(frozen=True)
+class Place:
+    """A limit cycle."""
+
+    amplitude: float
+    omega: float
+
+
+@dataclass(frozen=True)
+class LimitCycles:
+    """That a loop has these limit cycles and no other."""
+
+    plant: Coefficients | Matrices
+    element: tuple[Term, ...]
+    omega_range: tuple[float, float] | None
+    limit_cycles: tuple[Place, ...]
+
+    def __post_init__(self) -> None:
+        omegas = self.omega_range
+        _require(omegas is None or 0 < omegas[0] < omegas[1], f"omega_range is {omegas}")
+
+
+@dataclass(frozen=True)
+class Mode:
+    """What holds between events: rates of the states, and event functions, by Z."""
+
+    flow: Table
+    functions: Table
+
+
+@dataclass(frozen=True)
+class Equations:
+    """The numbers of a system: modes, what becomes of Z before each segment, the forcing at the start, s."""
+
+    modes: tuple[Mode, ...]
+    resets: tuple[Table, ...]
+    forcing: Row
+    period: float | None
+
+
+@dataclass(frozen=True)
+class Segment:
+    """A piece of a motion: its mode and duration, and the event function that ends it, or when a clock does.
+
+    Attributes:
+        mode: Its number.
+        duration: As computed, s.
+        fired: What ends it; None for the last one.
+        together: Others that are a multiple of it.
+        zeros: Event functions, and how many derivatives of each vanish at its start, counting the zeroth.
+        at: When it ends if a clock ends it, s from the start.
+        strict: What is positive then, by Z.
+    """
+
+    mode: int
+    duration: float
+    fired: int | None
+    together: tuple[int, ...]
+    zeros: tuple[tuple[int, int], ...]
+    at: float | None
+    strict: Table
+
+
+@dataclass(frozen=True)
+class Course:
+    """A motion that returns.
+
+    Attributes:
+        about: What the equations are said to be of; nothing depends on it.
+        segments: Its pieces.
+        sizes: Of each state.
+        state: At the start.
+        rotation: Rates of what forces the states, as multiples of 2 pi over the period of the drive.
+        periods: How many of them it lasts; 0 without a drive.
+        signs: Of the states, if the end is to be the mirror image of the start; else empty.
+        shifts: Directions along which nothing changes, each with a functional that is to stay.
+        frame: Velocities of the frame, as they are said to be.
+        clock: Sample and delay of each controller that samples, s.
+    """
+
+    about: str
+    segments: tuple[Segment, ...]
+    sizes: Row
+    state: Row
+    rotation: tuple[tuple[int, ...], ...]
+    periods: float
+    signs: tuple[int, ...]
+    shifts: tuple[tuple[Row, Row], ...]
+    frame: Row
+    clock: tuple[tuple[float, float], ...]
+
+    def require_fits(self, equations: Equations) -> None:
+        """Hold shapes, numbers of modes and of event functions against equations.
+
+        Raises:
+            ValueError: if something does not fit.
+        """
+        n, forced = len(self.state), len(equations.forcing)
+        size = n + forced
+        _require(n == len(self.sizes) and min(self.sizes) > 0, "sizes are not positive, one for each state")
+        _require(_is(self.rotation, forced, forced), "rotation does not fit the forcing")
+        _require(len(self.signs) in (0, n), "signs do not fit the states")
+        _require(all(_is(each, 2, n) for each in self.shifts), "shifts do not fit the states")
+        _require(all(sample > 0 <= delay for sample, delay in self.clock), "a sample or delay is negative")
+        if equations.period is None:
+            _require(not (self.periods or any(map(any, self.rotation))), "nothing turns without a drive")
+        else:
+            _require(equations.period > 0 < self.periods, "a period is not positive")
+        for mode in equations.modes:
+            _require(_is(mode.flow, n, size) and _is(mode.functions, None, size), "a mode does not fit")
+        _require(len(equations.resets) == len(self.segments) > 0, "there is not one reset for each segment")
+        _require(all(_is(each, size, size) for each in equations.resets), "a reset does not fit")
+        for each in self.segments:
+            _require(0 <= each.mode < len(equations.modes), f"there is no mode {each.mode}")
+            _require(_is(each.strict, None, size), "what is positive at a sample does not fit")
+            _require(all(1 <= count <= MOST_ZEROS for _, count in each.zeros), "a count of zeros is none")
+            ended = each.fired is not None or not each.together
+            _require(ended, "an event function is named where none ends a segment")
+            named = [function for function, _ in each.zeros], [*_some(each.fired), *each.together]
+            for functions in named:
+                known = range(len(equations.modes[each.mode].functions))
+                _require(all(k in known for k in functions), "there is no such event function")
+                _require(len(set(functions)) == len(functions), "an event function is named twice")
+
+
+MOST_ZEROS = 3
+"""Derivatives of an event function that may vanish at an event."""
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """That a system has a periodic motion; ``stable`` is as computed, None if that is not told."""
+
+    motion: Course
+    equations: Equations
+    stable: bool | None
+
+    def __post_init__(self) -> None:
+        self.motion.require_fits(self.equations)
+        whole = self.motion.periods.is_integer() and not self.motion.signs
+        _require(whole, "a part of a motion is no orbit")
+
+
+@dataclass(frozen=True)
+class Neighbour:
+    """The equations at a value of a number."""
+
+    value: float
+    equations: Equations
+
+
+@dataclass(frozen=True)
+class SpecialPoint:
+    """That the systems on a straight line through two have a special point, near a value."""
+
+    kind: str
+    place: str
+    value: float
+    motion: Course
+    beside: tuple[Neighbour, Neighbour]
+
+    def __post_init__(self) -> None:
+        first, second = (each.equations for each in self.beside)
+        for each in (first, second):
+            self.motion.require_fits(each)
+        same = len(first.modes) == len(second.modes) and len(first.forcing) == len(second.forcing)
+        same = same and (first.period is None) == (second.period is None)
+        pairs = zip(first.modes, second.modes, strict=False)
+        same = same and all(len(one.functions) == len(other.functions) for one, other in pairs)
+        _require(same, "the equations of two values are not of one form")
+        _require(self.value != 0 and self.beside[0].value < self.beside[1].value, "the values are none")
+        covered = not (self.motion.shifts or self.motion.clock or any(self.motion.frame))
+        _require(covered, "special points of sampled motions, or of those that advance, are not covered")
+        half = 0.5 if self.motion.signs else 0.0
+        _require((self.motion.periods - half).is_integer(), "half of a motion has signs, and no other has")
+
+
+def _is(table: Sequence[Sequence[float]], rows: int | None, columns: int) -> bool:
+    """Return whether a table has a shape; None stands for any number of rows."""
+    return rows in (None, len(table)) and all(len(row) == columns for row in table)
+
+
+def _some(number: int | None) -> list[int]:
+    return [] if number is None else [number]
+
+
+def _require(holds: bool, otherwise: str) -> None:
+    if not holds:
+        raise ValueError(otherwise)
