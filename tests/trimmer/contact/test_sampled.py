@@ -88,6 +88,17 @@ def test_a_linear_machine_by_exact_discretisation(law: str, delay: float) -> Non
     assert len(names) == len(motion.states(0.0)) and held == [str(1 + place) for place in range(len(held))]
 
 
+def test_behind_a_break_what_samples_set_changes_at_their_instants_to_the_last_digit() -> None:
+    """The reference begins between samples; sums of steps from there would miss the instants by rounding."""
+    delay = 0.37e-3
+    motion = simulate(two_masses(replace(LAWS["pid"], delay=delay), at=4.23e-3), 0.3)
+    times = np.arange(5, 290) * 1e-3 + delay
+    at, beside = (motion.signal("torque", each) for each in (times, np.nextafter(times, 0.0)))
+    np.testing.assert_array_equal(at, motion.signal("torque", times + 1e-5))
+    np.testing.assert_array_equal(beside, motion.signal("torque", times - 1e-5))
+    assert (at != beside).all()
+
+
 SERVO = """
 [bodies]
 motor = { inertia = 0.0002 }

@@ -132,6 +132,9 @@ def test_resampling_keeps_the_rate_of_the_samples_or_takes_a_higher_one(stamped)
     assert read_signal(path, sampling=RESAMPLE).sample_rate == pytest.approx(1000, rel=1e-3)
     for given in (999.5, 4000.0):
         assert read_signal(path, sample_rate=given, sampling=RESAMPLE).sample_rate == given
+    for steps in (401, 403, 409):  # the last sample is kept, wherever rounding puts its time
+        fitting = steps / (times[-1] - times[0])
+        assert read_signal(path, sample_rate=fitting, sampling=RESAMPLE).values.size == steps + 1
     assert "900 Hz is less than the 999.749 samples" in message_for(
         path, sample_rate=900.0, sampling=RESAMPLE
     )

@@ -114,6 +114,7 @@ def test_cells_are_numbers_with_either_sign(file, cells, decimal, numbers) -> No
         (["1", " inf "], None, "line 2: ' inf ' is not finite"),
         (["1", "∞"], None, "line 2: '∞' is not finite"),
         (["nan", "1e999"], None, "line 2: '1e999' is too large"),
+        (["-1e301", "1e301"], None, "line 1: '-1e301' is too large"),
         (["1", "a" * 38], None, f"line 2: '{38 * 'a'}' is not"),
         (["1", "a" * 39], None, f"line 2: '{36 * 'a'}... is not"),
     ],
