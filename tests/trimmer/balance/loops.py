@@ -1,4 +1,4 @@
-"""Loops that the tests share, and what to hold the solver against: a count on a grid, and a simulation."""
+"""Loops that the tests share, and what to hold the solver against: phases on a grid, and a simulation."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ import numpy as np
 from scipy.linalg import expm
 
 from trimmer import FrictionBacklash, TrimmerParameters, pin_model, response_at
-from trimmer.arrays import Complexes
 from trimmer.elements import Element
 from trimmer.linear import InputChannels
 
@@ -20,26 +19,6 @@ LOOP_WITH_BOTH_CHANNELS = pin_model(TrimmerParameters.thesis())
 
 s = control.tf("s")
 THIRD_ORDER = 1 / (s * (s + 1) * (s + 2))
-
-
-def count_on_grid(G: control.lti.LTI, element: Element, omegas: tuple[float, float]) -> int:
-    """Count how often the curves of -1/G and N cross as polygons of many short sides."""
-    omega = np.geomspace(*omegas, 3000)
-    place = np.linspace(0.0, np.pi, 1502)[1:-1]
-    u = float(element.domain()) * 0.5 * (1.0 - np.cos(place))
-    gain = element.describing_function(element.amplitude_scale / u)
-    target = -1.0 / response_at(G, omega)
-    near = np.minimum(np.abs(target[1:]), np.abs(target[:-1])) < 5.0
-    starts, sides = target[:-1][near], np.diff(target)[near]
-    return sum(_crossings(start, side, gain) for start, side in zip(starts, sides, strict=True))
-
-
-def _crossings(start: complex, side: complex, curve: Complexes) -> int:
-    steps, offset = np.diff(curve), start - curve[:-1]
-    determinant = (steps.conj() * side).imag
-    along_curve = (offset.conj() * side).imag / determinant
-    along_side = (offset.conj() * steps).imag / determinant
-    return int(np.sum((along_curve >= 0) & (along_curve < 1) & (along_side >= 0) & (along_side < 1)))
 
 
 def solutions_on_grid(

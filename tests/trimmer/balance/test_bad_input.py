@@ -8,7 +8,7 @@ import control
 import numpy as np
 import pytest
 
-from tests.trimmer.balance.loops import FRICTION, GAP, THESIS_LOOP, THIRD_ORDER, s
+from tests.trimmer.balance.loops import FRICTION, THESIS_LOOP, THIRD_ORDER, s
 from trimmer import FrictionBacklash, InertiaBacklash, Relay, ViscousBacklash, ViscousFriction, limit_cycles
 from trimmer.errors import FrequencyRangeError, LinearElementError, UnsupportedElementError
 from trimmer.linear import UnsupportedSystemError
@@ -51,12 +51,6 @@ def test_a_range_that_cannot_be_used(omegas) -> None:
         limit_cycles(THESIS_LOOP, FRICTION, omega_range=omegas)
 
 
-@pytest.mark.parametrize("omega", [0.0, -1.0, math.nan, math.inf])
-def test_a_frozen_omega_that_cannot_be_used(omega: float) -> None:
-    with pytest.raises(ValueError, match="frozen_omega must be positive"):
-        limit_cycles(THESIS_LOOP, ViscousBacklash(GAP, 1e-3), frozen_omega=omega)
-
-
 @pytest.mark.parametrize("gap", [0.0, -1e-5, math.nan, math.inf])
 @pytest.mark.parametrize("build", [FrictionBacklash, InertiaBacklash, lambda gap: ViscousBacklash(gap, 1.0)])
 def test_a_gap_that_cannot_be_used(build, gap: float) -> None:
@@ -81,11 +75,6 @@ def test_viscous_friction_that_leaves_no_proper_loop() -> None:
     # 1/(s + 1) with -s added to s + 1 leaves the gain 1.
     with pytest.raises(UnsupportedSystemError, match="cancels the highest derivative"):
         limit_cycles(1 / (s + 1), Relay(1.0) - ViscousFriction(1.0))
-
-
-def test_no_intersection_is_an_empty_list() -> None:
-    assert limit_cycles(0.1 / (s + 1) ** 3, FrictionBacklash(1.0)) == ()
-    assert limit_cycles(1 / (s + 1), Relay(1.0)) == ()
 
 
 def test_no_limit_cycle_lies_inside_a_dead_band() -> None:
