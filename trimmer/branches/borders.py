@@ -50,18 +50,27 @@ class Border:
 def borders(arc: Arc, near: Place, far: Place) -> list[Border] | None:
     """Find the changes of phases between two orbits of an arc, in their order.
 
+    What changes at one value is one border: with two like sides rounding tells there in which order.
+
     Returns:
         The borders; None if orbits between are not found, jump, or change their phases too often.
     """
     found: list[Border] = []
     left = near
-    while left.signature != far.signature:
-        nearest = narrowed(arc, left, far) if len(found) < MOST_BORDERS else None
-        if nearest is None or abs(nearest[0].position - nearest[1].position).max() > CONTINUOUS:
+    for _ in range(MOST_BORDERS):
+        if left.signature == far.signature:
+            return [border for border in found if border.changes]
+        nearest = narrowed(arc, left, far)
+        if nearest is None or _apart(*nearest) > CONTINUOUS:
             return None
-        found.append(Border(*nearest))
+        before = found.pop().before if found and _apart(left, nearest[0]) <= CONTINUOUS else nearest[0]
+        found.append(Border(before, nearest[1]))
         left = nearest[1]
-    return found
+    return [border for border in found if border.changes] if left.signature == far.signature else None
+
+
+def _apart(one: Place, other: Place) -> float:
+    return float(abs(one.position - other.position).max())
 
 
 def special_points(border: Border) -> list[SpecialPoint]:
