@@ -24,6 +24,10 @@ class BranchEnd(Choice):
     TORN = "the motion jumps, as where static friction gives way at once, and no orbit lies beyond"
     GRAZED = "a rigid wall is touched there without speed, where an impact is born or dies"
     INFINITE_PERIOD = "its period grows without bound"
+    HOPF = (
+        "the linear loop loses its stability there (Hopf): the motion meets no corner, and repeats in any "
+        "smaller size"
+    )
     NOT_ISOLATED = (
         "a multiplier is 1, so that no single orbit goes on: as where something sticks all the time, which "
         "it could do anywhere, or where nothing is lost"

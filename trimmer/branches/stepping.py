@@ -90,6 +90,10 @@ def steps(front: Front, limits: Limits, count: int) -> Iterator[tuple[Step, Prob
         if made is None:
             yield _obstacle(front)
             return
+        if made.front.place.passage.is_linear:
+            yield replace(made, special=(), switches=()), front.problem
+            yield BranchEnd.HOPF
+            return
         yield made, front.problem
         if taken and _closed(first, front, made.front):
             yield BranchEnd.CLOSED

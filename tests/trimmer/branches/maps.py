@@ -25,6 +25,7 @@ class Given:
     signature: Mapping[tuple[str, Phase], int] = field(default_factory=dict)
     events: int = 0
     grazed: tuple[str, ...] = ()
+    is_linear: bool = False
     middle: None = None
 
     @property

@@ -12,6 +12,7 @@ from scipy.optimize import brentq
 from tests.mechanisms.brute_force import BruteForce, extend, settle
 from tests.mechanisms.decision import Judge
 from tests.mechanisms.dynamics import System
+from tests.quick import quick
 from trimmer import Body, FollowedBranch, FollowSettings, SpecialKind, follow, follow_special, limit_cycles
 from trimmer.branches import BranchEnd
 from trimmer.elements import CoulombFriction, FrictionBacklash
@@ -215,3 +216,37 @@ def test_an_orbit_that_begins_on_its_plane_is_told_from_the_next() -> None:
     branch = follow(loop, "element.gap", gap, 10e-6, state=state, settings=settings)
     assert branch.reason is BranchEnd.MOST_POINTS
     assert np.all(np.diff([point.value for point in branch.points]) < 0)
+
+
+LIMITED = """
+[bodies]
+motor = {{ mass = 1.0 }}
+[plays]
+gear = {{ between = ["ground", "motor"], stiffness = {stiffness}, gap = 0.2 }}
+[links]
+drag = {{ between = ["ground", "motor"], damping = 1.0 }}
+[outputs]
+x = {{ motor = 1 }}
+[controllers.axis]
+kind = "transfer"
+measure = "x"
+reference = "path"
+acts = ["ground", "motor"]
+numerator = [8.0]
+denominator = [1.0, 2.0]
+limit = 1.0
+[references]
+path = {{ step = 1.0 }}
+"""
+
+
+@pytest.mark.parametrize("stiffness", quick([0.3, 0.05], 0))
+def test_hunting_begins_where_the_linear_loop_loses_its_stability(stiffness: float) -> None:
+    """Routh: (s^2 + s + k)(s + 2) + K has the roots +-i sqrt(2 + k) at K + 2 k = 3 (2 + k)."""
+    machine = Mechanism.from_toml_text(LIMITED.format(stiffness=stiffness))
+    branch = follow(machine, "controllers.axis.numerator.1", 8.0, 3.0)
+    last = branch.points[-1]
+    assert branch.reason is BranchEnd.HOPF and branch.success
+    assert last.value == pytest.approx(3.0 * (2.0 + stiffness) - 2.0 * stiffness, rel=1e-9)
+    assert last.period == pytest.approx(2.0 * np.pi / np.sqrt(2.0 + stiffness), rel=1e-9)
+    assert "loses its stability there (Hopf)" in branch.message

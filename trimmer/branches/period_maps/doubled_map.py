@@ -55,6 +55,11 @@ class DoubledPassage:
         return self.first.events + self.second.events
 
     @property
+    def is_linear(self) -> bool:
+        """Whether it is a center of one linear mode."""
+        return self.first.is_linear and self.second.is_linear
+
+    @property
     def grazed(self) -> tuple[str, ...]:
         """Names of the rigid walls that are touched without speed in either passage."""
         return tuple(dict.fromkeys((*self.first.grazed, *self.second.grazed)))

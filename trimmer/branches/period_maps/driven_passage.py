@@ -132,6 +132,11 @@ class DrivenPassage:
         return self.flow.grazed(self.course)
 
     @property
+    def is_linear(self) -> bool:
+        """Whether it is a center of one linear mode; what is driven is none."""
+        return False
+
+    @property
     def events(self) -> int:
         """Number of events."""
         return len(self.course.events)

@@ -25,6 +25,7 @@ class Passage(Protocol):
         signature: The phases that begin in it.
         events: Number of events.
         grazed: Names of the rigid walls that are touched without speed.
+        is_linear: Whether nothing but one linear mode of what nothing drives is met: a center.
         middle: End of its first half, if the passage is one of a doubled map, shape (n,); None otherwise.
     """
 
@@ -48,6 +49,9 @@ class Passage(Protocol):
 
     @property
     def grazed(self) -> tuple[str, ...]: ...  # noqa: D102
+
+    @property
+    def is_linear(self) -> bool: ...  # noqa: D102
 
     @property
     def middle(self) -> Reals | None: ...  # noqa: D102

@@ -155,6 +155,11 @@ class SelfExcitedPassage(DrivenPassage):
         late = self.section.period * float(self.section.height(self.start[:-1]))
         return np.append(self.course.end.state, self.start[-1] + late)
 
+    @property
+    def is_linear(self) -> bool:
+        """Whether it is a center of one linear mode."""
+        return len(self.course.met[0]) == 1
+
     @cached_property
     def _change(self) -> Reals:
         """Derivative of the state at the end by that at the start, (n, n)."""
