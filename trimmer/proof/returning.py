@@ -8,12 +8,13 @@ m - Y F(m) + (1 - Y F')(ball - m) lies inside the ball.
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 
-from flint import arb, arb_mat, fmpq
+from flint import acb, acb_mat, arb, arb_mat
 
-from trimmer.proof.balls import about, real
-from trimmer.proof.following import RADIUS, Followed, Motion, identity, norm
+from trimmer.proof.balls import about
+from trimmer.proof.following import RADIUS, Followed, Motion, identity
 from trimmer.proof.undecided import UndecidedError
 
 MOST_ITERATIONS = 30
@@ -163,7 +164,7 @@ def in_sizes(motion: Motion, over: Followed) -> arb_mat:
 
 
 def multipliers_of(motion: Motion, over: Followed) -> tuple[bool | None, str]:
-    """Enclose the largest modulus of the multipliers: of A^k at least |trace|/n and at most the norm."""
+    """Enclose the largest modulus of the multipliers; return whether it is stable, and that in words."""
     sizes, n, scaled = motion.sizes, motion.n, in_sizes(motion, over)
     fixed = _fixed(motion)
     if fixed:
@@ -173,19 +174,34 @@ def multipliers_of(motion: Motion, over: Followed) -> tuple[bool | None, str]:
         along = arb_mat([[way[i] / sizes[i] for way in ways] for i in range(n)])
         kept = arb_mat([[row[i] * sizes[i] for i in range(n)] for row in fixed])
         scaled = scaled - along * (kept * along).inv() * (kept * scaled)
-    least, most, power = arb(0), arb(2) ** 900, scaled
-    for doubled in range(13):
-        exponent = real(fmpq(1, 2**doubled))
-        size, trace = norm(power), abs(power.trace()) / n
-        if size == 0:
-            most = arb(0)
-        if not (size > 0 and size < arb(2) ** 800 and size > arb(2) ** -800):
-            break
-        most = most.min(arb(size.upper()) ** exponent)
-        if trace > 0:
-            least = least.max(arb(trace.lower()) ** exponent)
-        power = power * power
-    stable = True if most < 1 else False if least > 1 else None
-    # Rounded outwards by more than six digits leave out.
-    lower, upper = float((least * (1 - arb(2) ** -17)).lower()), float((most * (1 + arb(2) ** -17)).upper())
-    return stable, f"between {lower:.6g} and {upper:.6g}"
+    lower, upper = _largest_modulus(scaled)
+    stable = True if upper < 1 else False if lower > 1 else None
+    # Rounded outwards by more than twelve digits leave out.
+    told = float((lower * (1 - arb(2) ** -37)).lower()), float((upper * (1 + arb(2) ** -37)).upper())
+    return stable, f"between {told[0]:.12g} and {told[1]:.12g}"
+
+
+def _largest_modulus(table: arb_mat) -> tuple[arb, arb]:
+    """Bound the largest modulus of an eigenvalue, by Gershgorin's discs in about the eigenvectors.
+
+    Raises:
+        UndecidedError: if these span nothing.
+    """
+    size = range(table.nrows())
+    vectors = acb_mat(table.mid()).eig(right=True, algorithm="approx")[1].mid()
+    try:
+        turned = vectors.solve(acb_mat(table) * vectors).tolist()
+    except ZeroDivisionError:
+        raise UndecidedError("the multipliers are not told, for want of eigenvectors") from None
+    reaches = [about(sum((abs(turned[i][k]) for k in size if k != i), arb(0))) for i in size]
+    discs = [turned[i][i] + acb(each, each) for i, each in enumerate(reaches)]
+    # Discs that hang together hold as many eigenvalues as they are.
+    inside: list[acb] = []
+    around = [max(discs, key=lambda each: float(abs(each).mid()))]
+    while len(inside) < len(around):
+        inside = around
+        around = [each for each in discs if any(each.overlaps(other) for other in inside)]
+    moduli = [[abs(each) for each in group] for group in (inside, discs)]
+    return functools.reduce(arb.min, moduli[0]).lower().max(arb(0)), functools.reduce(
+        arb.max, moduli[1]
+    ).upper()
