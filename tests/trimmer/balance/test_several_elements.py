@@ -8,6 +8,7 @@ import control
 import numpy as np
 import pytest
 
+from tests.quick import quick
 from trimmer import Feedback, FrictionBacklash, Relay, Saturation, WrongTypeError, periodic_orbits
 from trimmer.balance import FeedbackBalance, harmonic_balance, limit_cycles
 from trimmer.balance.many_harmonics.feedback import feedback_balance
@@ -54,7 +55,7 @@ def approaches(loop: Feedback, orders: tuple[int, ...], factor: float) -> None:
     assert all(later < factor * earlier for earlier, later in pairwise(errors))
 
 
-@pytest.mark.parametrize("name", LOOPS)
+@pytest.mark.parametrize("name", quick(LOOPS, 0))
 def test_the_error_falls_with_the_order(name: str) -> None:
     approaches(LOOPS[name], (1, 3, 7), 0.5)
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from functools import cache
 
-from trimmer import Body, FollowedBranch, FollowSettings, Force, Link, Mechanism, Play, SpecialKind, follow
+from trimmer import Body, Force, Friction, Link, Mechanism, Output, Pin, Play, follow
+from trimmer.branches import FollowedBranch, FollowSettings, SpecialKind
 
 TURN = 2.0 * math.pi
 ALONE = FollowSettings(switches=0, quiet=True, largest_step=0.02)
@@ -32,6 +33,24 @@ DEAD_ZONE = [
 def oscillator_with_a_stop() -> FollowedBranch:
     mechanism = Mechanism.from_toml("examples/oscillator-stop.toml")
     return follow(mechanism, "frequency", 5.0 / TURN, 12.0 / TURN, settings=ALONE)
+
+
+def two_blocks(speed: float) -> Mechanism:
+    """Two blocks on one belt with a spring between them; static friction is twice the kinetic one."""
+    return Mechanism(
+        bodies={"left": Body(1.0), "right": Body(1.0)},
+        pins={"belt": Pin("ground", velocity=speed)},
+        links={
+            "left spring": Link(("ground", "left"), 1.0, 0.02),
+            "right spring": Link(("ground", "right"), 1.0, 0.02),
+            "coupling": Link(("left", "right"), 1.2, 0.02),
+        },
+        frictions={
+            "left rubbing": Friction(("belt", "left"), force=0.5, static=1.0),
+            "right rubbing": Friction(("belt", "right"), force=0.65, static=1.3),
+        },
+        outputs={"left": Output({"left": 1})},
+    )
 
 
 def dead_zone(omega: float) -> Mechanism:

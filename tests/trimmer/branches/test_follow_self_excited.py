@@ -13,15 +13,15 @@ from tests.mechanisms.brute_force import BruteForce, extend, settle
 from tests.mechanisms.decision import Judge
 from tests.mechanisms.dynamics import System
 from tests.quick import quick
-from trimmer import Body, FollowedBranch, FollowSettings, SpecialKind, follow, follow_special, limit_cycles
+from tests.trimmer.branches.published import two_blocks
+from trimmer import FollowedBranch, FollowSettings, SpecialKind, follow, follow_special, limit_cycles, respond
 from trimmer.branches import BranchEnd
 from trimmer.elements import CoulombFriction, FrictionBacklash
 from trimmer.errors import UnsupportedMotionError
 from trimmer.linear import InputChannels, pin_model
 from trimmer.loops import BodyFriction, TrimmerLoop
-from trimmer.mechanism import Friction, Link, Mechanism, Output, Pin
+from trimmer.mechanism import Mechanism
 from trimmer.orbits.periodic_orbits import periodic_orbits
-from trimmer.response.respond import respond
 from trimmer.thesis import TrimmerParameters
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -32,24 +32,6 @@ COARSE = FollowSettings(quiet=True, largest_step=0.1)
 
 def block() -> Mechanism:
     return Mechanism.from_toml(EXAMPLES / "block-on-belt.toml")
-
-
-def two_blocks(speed: float) -> Mechanism:
-    """Two blocks on one belt with a spring between them; static friction is twice the kinetic one."""
-    return Mechanism(
-        bodies={"left": Body(1.0), "right": Body(1.0)},
-        pins={"belt": Pin("ground", velocity=speed)},
-        links={
-            "left spring": Link(("ground", "left"), 1.0, 0.02),
-            "right spring": Link(("ground", "right"), 1.0, 0.02),
-            "coupling": Link(("left", "right"), 1.2, 0.02),
-        },
-        frictions={
-            "left rubbing": Friction(("belt", "left"), force=0.5, static=1.0),
-            "right rubbing": Friction(("belt", "right"), force=0.65, static=1.3),
-        },
-        outputs={"left": Output({"left": 1})},
-    )
 
 
 @pytest.fixture(scope="module")

@@ -5,9 +5,8 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from trimmer import CoulombFriction, FrictionBacklash, Relay, Saturation, ViscousBacklash, ViscousFriction
-from trimmer.elements import ControlElement, ElementAtFrequency, ScaledElement, SumOfElements
-from trimmer.errors import WrongTypeError
+from trimmer import FrictionBacklash, Relay, Saturation, ViscousBacklash, ViscousFriction, WrongTypeError
+from trimmer.elements import ControlElement, CoulombFriction, ElementAtFrequency, ScaledElement, SumOfElements
 
 BACKLASH = ViscousBacklash(2.0, 0.1)
 AMPLITUDE = np.array([1.5, 4.0, 90.0])

@@ -10,10 +10,9 @@ import numpy as np
 import pytest
 
 from tests.trimmer.response.mechanisms import example
-from trimmer import Drive, Force, Link, Mechanism, Output, Saturation, Stop, TrimmerError, respond, simulate
-from trimmer.loops import Feedback
+from trimmer import Body, Drive, Feedback, Output, Saturation, Stop, TrimmerError, respond, simulate
 from trimmer.maps import sweep
-from trimmer.mechanism import Body, Wall
+from trimmer.mechanism import Force, Link, Mechanism, Wall
 
 LINEAR = Mechanism(
     frequency=3.0,

@@ -17,24 +17,14 @@ from tests.quick import quick
 from tests.trimmer.balance.fuzz import is_missing
 from tests.trimmer.balance.independent import limit_cycles_by_brute_force
 from tests.trimmer.balance.wide_loops import wide_loop
-from trimmer import (
-    ClosedLoop,
-    CoulombFriction,
-    FrictionBacklash,
-    Preload,
-    Relay,
-    Saturation,
-    ViscousBacklash,
-    ViscousFriction,
-    harmonic_balance,
-)
+from trimmer import ClosedLoop, Preload, Relay, Saturation, ViscousBacklash, ViscousFriction, harmonic_balance
 from trimmer.command_line.main import main
-from trimmer.elements import DeadZone, Element, InertiaBacklash
+from trimmer.elements import CoulombFriction, DeadZone, Element, FrictionBacklash, InertiaBacklash
 from trimmer.errors import FrequencyRangeError, TrimmerError
+from trimmer.proof import Proof, check_proof, prove_limit_cycles
 from trimmer.thesis import TrimmerParameters, pin_model
 
 pytest.importorskip("flint")
-from trimmer.proof import Proof, check_proof, prove_limit_cycles
 
 TRIMMER = pin_model(TrimmerParameters.thesis(), channels="displacement")
 THIRD = control.tf([8.0], [1.0, 3.0, 3.0, 1.0])

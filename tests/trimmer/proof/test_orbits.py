@@ -20,26 +20,16 @@ from tests.mechanisms.differences import once_around
 from tests.mechanisms.dynamics import System
 from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.quick import quick
-from trimmer import (
-    ClosedLoop,
-    Drive,
-    FrictionBacklash,
-    Mechanism,
-    OpenLoop,
-    Relay,
-    Saturation,
-    forced_orbit,
-    periodic_orbits,
-    respond,
-)
+from trimmer import ClosedLoop, Drive, OpenLoop, Relay, Saturation, forced_orbit, periodic_orbits, respond
 from trimmer.command_line.main import main
+from trimmer.elements import FrictionBacklash
 from trimmer.errors import TrimmerError
-from trimmer.mechanism import Body, Force, Friction, Link, Output, Pid
+from trimmer.mechanism import Body, Force, Friction, Link, Mechanism, Output, Pid
+from trimmer.proof import Proof, check_proof, prove_orbit
 from trimmer.response.orbit import Orbit
 from trimmer.thesis import TrimmerParameters, pin_model
 
 pytest.importorskip("flint")
-from trimmer.proof import Proof, check_proof, prove_orbit
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 THIRD = control.tf([8.0], [1.0, 3.0, 3.0, 1.0])

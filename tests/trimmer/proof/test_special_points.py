@@ -19,13 +19,12 @@ import scipy.optimize
 
 from tests.quick import quick
 from tests.trimmer.branches.bouncing_ball import ball, fold, thrown
-from tests.trimmer.branches.published import dead_zone
-from trimmer import ClosedLoop, FollowedBranch, FollowSettings, Mechanism, Relay, SpecialKind, follow
-from trimmer.branches.special import SpecialPoint
-from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play
+from tests.trimmer.branches.published import dead_zone, two_blocks
+from trimmer import Body, ClosedLoop, FollowSettings, Force, Link, Mechanism, Play, Relay, SpecialKind, follow
+from trimmer.branches import FollowedBranch, SpecialPoint
+from trimmer.proof import Proof, check_proof, prove_special_point
 
 pytest.importorskip("flint")
-from trimmer.proof import Proof, check_proof, prove_special_point
 
 TURN = 2.0 * math.pi
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -56,23 +55,6 @@ def relay_that_rests() -> float:
 
     best = scipy.optimize.minimize_scalar(lambda share: -edge(share), bounds=(0.2, 0.7), method="bounded")
     return -float(best.fun)
-
-
-def two_blocks() -> Mechanism:
-    return Mechanism(
-        bodies={"left": Body(1.0), "right": Body(1.0)},
-        pins={"belt": Pin("ground", velocity=0.7)},
-        links={
-            "left spring": Link(("ground", "left"), 1.0, 0.02),
-            "right spring": Link(("ground", "right"), 1.0, 0.02),
-            "coupling": Link(("left", "right"), 1.2, 0.02),
-        },
-        frictions={
-            "left rubbing": Friction(("belt", "left"), force=0.5, static=1.0),
-            "right rubbing": Friction(("belt", "right"), force=0.65, static=1.3),
-        },
-        outputs={},
-    )
 
 
 def between_stops() -> Mechanism:
@@ -145,7 +127,7 @@ BRANCHES: dict[
     "stops": (between_stops, "frequency", 0.193, 0.19, None, "symmetry-breaking", lambda: 0.191360833785),
     # By brute force: tests/trimmer/branches/test_follow_self_excited.py.
     "blocks": (
-        two_blocks,
+        lambda: two_blocks(0.7),
         SPEED,
         0.7,
         0.69,
