@@ -22,16 +22,8 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
 
 from report.cache.stage_store import Bounds, StageStore
-from trimmer import (
-    ClosedLoop,
-    FrictionBacklash,
-    Relay,
-    TrimmerParameters,
-    periodic_orbits,
-    pin_model,
-    simulate,
-)
-from trimmer.mechanism.parts import Body
+from trimmer import Body, FrictionBacklash, Relay, TrimmerParameters, periodic_orbits, pin_model, simulate
+from trimmer.loops import ClosedLoop
 
 RESULT = {"answer": [1, 2.5, "text"], "array": np.arange(4.0), "body": Body(1.0)}
 

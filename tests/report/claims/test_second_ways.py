@@ -15,8 +15,7 @@ from report.numbers.friction_in_place import force_response
 from report.numbers.independent.harmonics import BY_FRICTION, BY_THE_PIN, displacements
 from report.numbers.thesis import DRIVE_FREQUENCY, LARGE_GAP
 from report.numbers.time_stepping import FINE_STEP, lines_in_steps, steps
-from trimmer import response_at
-from trimmer.linear import real_axis_crossings
+from trimmer.linear import real_axis_crossings, response_at
 from trimmer.thesis import TrimmerBody
 
 CUTTER, GUARD = TrimmerBody.CUTTER.index, TrimmerBody.GUARD.index

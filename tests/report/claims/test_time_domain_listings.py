@@ -10,8 +10,7 @@ from hypothesis import strategies as st
 
 from report.numbers.listed_blocks import PERIOD, contact_time, friction_block, inertia_block
 from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
+from trimmer import FrictionBacklash, InertiaBacklash
 
 POSITIONS = st.lists(st.floats(-5, 5), min_size=1, max_size=40)
 

@@ -13,9 +13,8 @@ from report.design.report import DesignReport
 from report.pages.formats import Format, Paper
 from tests.report.made_once import MadeOnce
 from trimmer import SerialRunner
-from trimmer.design.design import Design
+from trimmer.design import Design, DesignSettings
 from trimmer.design.design_file import design_file_of_text
-from trimmer.design.settings import DesignSettings
 
 TEXT = """
 title = "Trimmer on the desk"

@@ -15,10 +15,9 @@ from tests.quick import quick
 from tests.trimmer.design.test_axis import AXIS
 from tests.trimmer.servos import SAMPLED, STICTION
 from trimmer import Mechanism, SerialRunner
+from trimmer.design import DesignSettings, Study
 from trimmer.design.design_file import design_file_of_text
 from trimmer.design.linear import linear_states
-from trimmer.design.settings import DesignSettings
-from trimmer.design.study import Study
 from trimmer.design.varied_places import varied_places
 
 

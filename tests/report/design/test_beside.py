@@ -8,11 +8,9 @@ from report.design.tables import target_rows
 from report.design.words import around_sentence, verdict_sentence
 from tests.trimmer.design.made import OSCILLATOR
 from trimmer import SerialRunner
+from trimmer.design import DesignOutcome, DesignSettings, Study
 from trimmer.design.design_file import design_file_of_text
-from trimmer.design.settings import DesignSettings
-from trimmer.design.study import Study
 from trimmer.design.surroundings import SPEEDS, Beside
-from trimmer.design.verdict import DesignOutcome
 from trimmer.uncertainty import with_uncertainty
 
 WANTED = """

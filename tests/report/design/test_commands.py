@@ -22,9 +22,7 @@ from report.design.building import CACHE, keeper_of, looked_at
 from trimmer import SerialRunner
 from trimmer.command_line import main as command_line
 from trimmer.command_line.main import main
-from trimmer.design import settings
-from trimmer.design.design_file import read_design_file
-from trimmer.design.settings import DesignSettings
+from trimmer.design import DesignSettings, read_design_file, settings
 from trimmer.examples import examples
 
 TINY = DesignSettings(

@@ -33,10 +33,8 @@ from report.pages.provenance import provenance
 from tests.quick import quick
 from tests.report.rendering.page_checks import lead, loaded_from_elsewhere, opened, visited
 from trimmer import SerialRunner
-from trimmer.design.comparison import compared
-from trimmer.design.design import Design
+from trimmer.design import Design, DesignSettings, compared
 from trimmer.design.design_file import design_file_of_text
-from trimmer.design.settings import DesignSettings
 from trimmer.drawing.look import plain_label
 from trimmer.mechanism.place_text import quoted
 

@@ -15,9 +15,8 @@ from report.design.progress import ProgressLines
 from report.design.report import DesignReport
 from trimmer import MechanismError, SerialRunner
 from trimmer.deadline import Deadline
-from trimmer.design.design import Stage
-from trimmer.design.design_file import DesignFile, design_file_of_text
-from trimmer.design.settings import DesignSettings
+from trimmer.design import DesignFile, DesignSettings, Stage
+from trimmer.design.design_file import design_file_of_text
 from trimmer.examples import example_text, examples
 
 TINY = DesignSettings(

@@ -9,13 +9,11 @@ import pytest
 
 from report.design.words import meets_at_its_point
 from trimmer import MotionKind
-from trimmer.branches.branch import BranchEnd
-from trimmer.design.paths import NumberPath, PathSide
-from trimmer.design.remedies import Change, Remedy
+from trimmer.branches import BranchEnd
+from trimmer.design import Measure, MeasureOfPart, NumberRole, PathSide, Remedy, Target, Trial, VariedNumber
+from trimmer.design.paths import NumberPath
+from trimmer.design.remedies import Change
 from trimmer.design.surroundings import Around, Beside, Condition
-from trimmer.design.targets import Measure, Target
-from trimmer.design.trial import MeasureOfPart, Trial
-from trimmer.design.varied_places import NumberRole, VariedNumber
 
 SPEED = VariedNumber(NumberRole.SPEED, "frequency", "", "Hz", 20.0, 10.0, 30.0)
 SIDE = PathSide(10.0, np.array([20.0]), np.array([True]), {}, (), BranchEnd.OUT_OF_TIME, "the time is over")

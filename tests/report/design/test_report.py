@@ -18,11 +18,9 @@ from report.design.sentences import helpless_words
 from report.design.tables import target_rows
 from report.design.words import measure_value, sureness_sentences, verdict_sentence
 from report.pages.formats import Format
-from trimmer.design.comparison import compared
-from trimmer.design.design import Design
-from trimmer.design.remedies import Mend, Remedies
-from trimmer.design.targets import Measure
-from trimmer.design.verdict import DesignOutcome, DesignVerdict, JudgedTarget, Sureness
+from trimmer.design import Design, DesignOutcome, DesignVerdict, JudgedTarget, Measure, Remedies, compared
+from trimmer.design.remedies import Mend
+from trimmer.design.verdict import Sureness
 
 SECTIONS = (
     *(

@@ -11,9 +11,8 @@ from report.numbers.listed_blocks import inertia_block
 from report.numbers.record import Record, largest_peaks
 from report.numbers.relay_loop import STEP, output_at_jump
 from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY
-from trimmer.linear.model import InputChannels, pin_model
-from trimmer.loops.drive import Drive
-from trimmer.parameters import TrimmerParameters
+from trimmer import Drive, TrimmerParameters, pin_model
+from trimmer.linear import InputChannels
 
 DRIVE = Drive(DRIVE_AMPLITUDE, 2 * math.pi * DRIVE_FREQUENCY)
 

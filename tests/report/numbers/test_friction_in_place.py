@@ -6,9 +6,7 @@ import numpy as np
 import pytest
 
 from report.numbers.friction_in_place import force_response, friction_branch
-from trimmer import TrimmerParameters, pin_model, response_at
-from trimmer.balance.solve import limit_cycles
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer import FrictionBacklash, TrimmerParameters, limit_cycles, pin_model, response_at
 from trimmer.linear import InputChannels
 
 OMEGA = 2 * math.pi * np.array([37.0, 222.0, 355.0, 551.0, 734.0, 2000.0])

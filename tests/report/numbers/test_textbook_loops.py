@@ -15,8 +15,7 @@ from report.numbers.textbook_loops import (
     growing_poles,
     relay_loop,
 )
-from trimmer import response_at
-from trimmer.linear import encirclements
+from trimmer.linear import encirclements, response_at
 
 
 def test_the_relay_loop_has_the_limit_cycle_of_its_closed_form():

@@ -8,20 +8,9 @@ import pytest
 
 from tests.report.octave import points
 from tests.report.octave.conftest import complexes
-from trimmer import (
-    CoulombFriction,
-    FrictionBacklash,
-    InertiaBacklash,
-    TrimmerParameters,
-    ViscousBacklash,
-    limit_cycles,
-    linear_model,
-    modes,
-    pin_model,
-    response_at,
-    transfer_function,
-)
-from trimmer.linear import InputChannels
+from trimmer import FrictionBacklash, InertiaBacklash, TrimmerParameters, ViscousBacklash, limit_cycles, modes
+from trimmer.elements import CoulombFriction
+from trimmer.linear import InputChannels, linear_model, pin_model, response_at, transfer_function
 
 pytestmark = pytest.mark.octave
 THESIS = TrimmerParameters.thesis()

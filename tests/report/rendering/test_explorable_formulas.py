@@ -16,17 +16,9 @@ from report.numbers.friction_in_place import force_response, largest_force
 from report.numbers.linear_numbers import exact_values
 from tests.quick import quick
 from tests.report.rendering.page_checks import opened
-from trimmer import (
-    FrictionBacklash,
-    TrimmerParameters,
-    ViscousBacklash,
-    limit_cycles,
-    pin_model,
-    response_at,
-    transfer_function,
-)
+from trimmer import FrictionBacklash, ViscousBacklash, limit_cycles, pin_model, response_at, transfer_function
 from trimmer.elements.backlashes.contact_equation import steady_motion
-from trimmer.linear import InputChannels
+from trimmer.thesis import InputChannels, TrimmerParameters
 
 CLOSE = 1e-12
 PARAMETERS = TrimmerParameters.thesis()
