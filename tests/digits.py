@@ -20,7 +20,6 @@ WITHOUT_DIGITS = (
     "report/rendering",
     "trimmer/test_code_generation.py",
     "trimmer/test_files.py",
-    "trimmer/test_files_and_streams.py",
     "trimmer/test_messages.py",
     "trimmer/test_package.py",
     "trimmer/test_pickling.py",

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from trimmer.files import FileWriteError, write_atomically
+from trimmer.files import CSV, SVG, FileWriteError, check_replaceable, write_atomically
 from trimmer.parameters import TrimmerParameters
 
 CONTENTS = {
@@ -149,10 +149,41 @@ print("after")
 
 
 @pytest.mark.skipif(not Path("/dev/stdout").exists(), reason="needs /dev/stdout")
-def test_standard_output_is_a_stream_whatever_it_is(tmp_path: Path, project_folder: Path) -> None:
+def test_standard_output_is_a_stream_whatever_it_is(
+    tmp_path: Path, project_folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PYTHONUNBUFFERED", "")  # so that what was printed before waits
     command = [sys.executable, "-c", WRITE_AND_PRINT]
     piped = subprocess.run(command, capture_output=True, text=True, cwd=project_folder, check=True)
     assert piped.stdout == "before\ncontent\nafter\n"
     with (tmp_path / "a.txt").open("wb") as file:
         subprocess.run(command, stdout=file, cwd=project_folder, check=True)
     assert (tmp_path / "a.txt").read_text() == "before\ncontent\nafter\n"
+
+
+def test_what_cannot_be_looked_at_or_written_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "a.svg"
+    path.write_text("notes")
+    with pytest.raises(FileWriteError, match=r"a\.svg is there already and is no SVG picture: name another"):
+        check_replaceable(path, SVG)
+    check_replaceable(path, None)
+    path.write_text("<svg")
+    with pytest.raises(FileWriteError, match=r"a\.svg is there already and is a file of another kind"):
+        check_replaceable(path, None)
+    check_replaceable(tmp_path / "none", SVG)
+    check_replaceable(Path(os.devnull), CSV)
+    with pytest.raises(FileWriteError, match="is a folder: name a file in it"):
+        check_replaceable(tmp_path, SVG)
+    with pytest.raises(FileWriteError, match="cannot be written: a file stands where its folder would be"):
+        write_atomically(path / "b" / "c", "x")
+
+
+def test_a_file_whose_kind_shows_too_late_is_not_replaced(tmp_path: Path) -> None:
+    path, title = tmp_path / "a.tex", b"\\title{The trimmer: derivation}"
+    for spaces, replaced in ((480, False), (280, True)):
+        path.write_bytes(b"\\documentclass" + spaces * b" " + title)
+        if replaced:
+            write_atomically(path, b"\\documentclass" + title)
+        else:
+            with pytest.raises(FileWriteError, match="is there already"):
+                write_atomically(path, b"\\documentclass" + title)

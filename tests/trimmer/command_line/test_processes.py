@@ -62,6 +62,7 @@ FULL = "trimmer: standard output: No space left on device; send the output elsew
         (["parameters"], "| true", 0, ""),
         (["linear", "--help"], "| true", 0, ""),
         (["parameters"], "2>&- >/dev/null", 0, ""),
+        (["linear", "--parameters", "-"], "<&-", 2, "-: cannot be read: standard input is closed"),
         (["linear", "--nonsense"], "2>&- <&-", 2, ""),
         (["linear", "--nonsense"], "2>&1 | true", 2, ""),
     ],
@@ -112,6 +113,8 @@ def test_a_file_on_standard_output_stands_there_alone(
     (tmp_path / "a.toml").symlink_to("/dev/stdout")
     run(tmp_path, "parameters", "--output", "a.toml", shell=">file")
     assert (tmp_path / "file").read_text("utf-8") == quiet.stdout
+    run(tmp_path, "parameters", "--output", "mine.toml", shell=">mine.toml")  # what goes there already stays
+    assert (tmp_path / "mine.toml").read_text("utf-8") == quiet.stdout
     monkeypatch.chdir(tmp_path)
     Path("a.wav").symlink_to("/dev/stdout")
     assert main([*SIMULATED, "--csv", "/dev/stdout", "--wav", "a.wav"]) == 2
