@@ -5,10 +5,40 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import inf
 from typing import Any, final
 
 NAME = "advice.json"
 """Of the file, beside the report."""
+
+
+@final
+@dataclass(frozen=True)
+class Bound:
+    """What a line of advice says of one measure.
+
+    Attributes:
+        says: In words, plain text.
+        measure: A key of ``respond --json``, with dots.
+        at_most, at_least: Bounds of the measure, SI units; None where there is none.
+    """
+
+    says: str
+    measure: str
+    at_most: float | None = None
+    at_least: float | None = None
+
+    def spare(self, value: float | None) -> float:
+        """Return what is left from a value to the bound, as a share of it; minus infinity without a value."""
+        if value is None:
+            return -inf
+        low = inf if self.at_least is None else value / self.at_least - 1
+        return min(low, inf if self.at_most is None else 1 - value / self.at_most)
+
+    def told(self) -> dict[str, Any]:
+        """Return it as JSON has it."""
+        ends = {"at_most": self.at_most, "at_least": self.at_least}
+        return {"measure": self.measure} | {name: end for name, end in ends.items() if end is not None}
 
 
 @final
@@ -18,47 +48,44 @@ class Advice:
 
     Attributes:
         id: Its name.
-        text: The sentence of the first screen, plain text.
+        where: What to do or not to do, plain text.
         scope: What else the box holds, as a sentence; the first screen says it once for all lines.
         wanted: Whether it says what to do; otherwise what not to do.
         fixed: Values of places, SI units, that the box does not vary.
         over: Lowest and highest value of each place that it varies, SI units.
-        measure: A key of ``respond --json``, with dots.
-        at_most, at_least: Bounds of the measure, SI units; None where there is none.
         kinds: Words of the kinds of motion that may occur.
+        bounds: What holds there.
     """
 
     id: str
-    text: str
+    where: str
     scope: str
     wanted: bool
     fixed: Mapping[str, float]
     over: Mapping[str, tuple[float, float]]
-    measure: str
     kinds: tuple[str, ...]
-    at_most: float | None = None
-    at_least: float | None = None
+    bounds: tuple[Bound, ...]
 
-    def holds(self, kind: str, value: float | None) -> bool:
-        """Return whether a motion of a kind with a value of the measure is as the line says."""
-        if kind not in self.kinds or value is None:
-            return False
-        low = self.at_least is None or value >= self.at_least
-        return low and (self.at_most is None or value <= self.at_most)
+    @property
+    def text(self) -> str:
+        """The sentence of the first screen."""
+        return f"{self.where}: {', '.join(bound.says for bound in self.bounds)}."
 
-    def told(self) -> dict[str, Any]:
-        """Return it as JSON has it."""
-        bounds = {"at_most": self.at_most, "at_least": self.at_least}
-        return {
-            "text": f"{self.text} {self.scope}".strip(),
-            "set": dict(self.fixed),
-            "over": {place: list(ends) for place, ends in self.over.items()},
-            "measure": self.measure,
-            **{name: value for name, value in bounds.items() if value is not None},
-            "kinds": list(self.kinds),
-        }
+    def told(self) -> list[dict[str, Any]]:
+        """Return it as JSON has it, an entry for each bound."""
+        box = {"set": dict(self.fixed), "over": {place: list(ends) for place, ends in self.over.items()}}
+        return [
+            {
+                "text": f"{self.where}: {bound.says}. {self.scope}",
+                **box,
+                **bound.told(),
+                "kinds": list(self.kinds),
+            }
+            for bound in self.bounds
+        ]
 
 
 def advice_json(lines: Sequence[Advice]) -> str:
     """Return all lines as a list in JSON."""
-    return json.dumps([line.told() for line in lines], indent=2, ensure_ascii=False) + "\n"
+    told = [entry for line in lines for entry in line.told()]
+    return json.dumps(told, indent=2, ensure_ascii=False) + "\n"

@@ -128,6 +128,7 @@ def _contacts(measures: Measures) -> dict[str, Any]:
         name: {
             "impacts_per_period": each.impacts,
             "impact_speeds": list(each.impact_speeds),
+            "impact_speed": each.impact_speed,
             "largest_force": each.largest_force,
             "share_of_time": each.share,
             **({"completed_chatters": each.completed} if each.completed else {}),

@@ -14,7 +14,7 @@ from typing import Any, Final, final
 
 import numpy as np
 
-from report.document.advice import NAME, Advice
+from report.document.advice import NAME, Advice, Bound
 from report.numbers.twin.kept_files import FOLDER, digest_of, read_kept, rounded, write_kept
 from report.numbers.twin.mechanism import FORCE, GAP, SPEED, STIFFNESS, twin
 from trimmer import MotionKind, respond
@@ -40,11 +40,13 @@ BOUNDED: Final = tuple(
     kind.word for kind in (MotionKind.PERIODIC, MotionKind.TORUS, MotionKind.CHAOTIC, MotionKind.UNDECIDED)
 )
 MOTOR: Final = "bodies.motor.rms_acceleration"
-"""Root of the mean square acceleration of the motor, m/s²."""
+HOUSING: Final = "bodies.housing.rms_acceleration"
+"""Roots of the mean square accelerations, m/s²."""
 STROKE: Final = "outputs.stroke.peak_to_peak"
 PERIODS: Final = "period_count"
-
 FORCE_OF_BRIDGE: Final = "contacts.bridge.largest_force"
+IMPACT: Final = "contacts.bridge.impact_speed"
+"""Largest speed at which pin and slot meet, m/s."""
 NOMINAL: Final = {STIFFNESS: 30e3}
 AROUND_110: Final = (104.5, 115.5)
 AROUND_150: Final = (142.5, 157.5)
@@ -53,90 +55,71 @@ AROUND_155: Final = (147.25, 162.75)
 AROUND_HALF: Final = (0.25, 0.75)
 """Half a newton of friction, and half of that on either side, N."""
 SCOPE: Final = "From rest, with 0.25 to 0.75 N of friction."
-_regular = {SPEED: AROUND_155, FORCE: AROUND_HALF, GAP: (0.0, 150e-6)}
-_soft = {SPEED: AROUND_110, FORCE: AROUND_HALF, GAP: (0.0, 500e-6), STIFFNESS: (4.5e3, 5.5e3)}
 _near = {SPEED: AROUND_110, FORCE: AROUND_HALF, GAP: (0.0, 40e-6)}
 
 LINES: Final = (
     Advice(
-        "calm-speed",
-        "Run at 143 to 157 Hz with a gap below 0.04 mm: the motor has at most 60 m/s².",
+        "calm",
+        "Run at 143 to 157 Hz with a gap below 0.04 mm",
         SCOPE,
         True,
         NOMINAL,
         {SPEED: AROUND_150, FORCE: AROUND_HALF, GAP: (0.0, 40e-6)},
-        MOTOR,
         (*REPEATS, MotionKind.TORUS.word),
-        at_most=60.0,
+        (
+            Bound("motor at most 60 m/s²", MOTOR, at_most=60.0),
+            Bound("housing at most 20 m/s²", HOUSING, at_most=20.0),
+            Bound("impacts at most 0.2 m/s", IMPACT, at_most=0.2),
+        ),
     ),
     Advice(
-        "calm-regular",
-        "At 148 to 162 Hz the motion repeats with the drive at any gap up to 0.15 mm.",
+        "regular",
+        "Run at 148 to 162 Hz with a gap up to 0.15 mm",
         SCOPE,
         True,
         NOMINAL,
-        _regular,
-        PERIODS,
+        {SPEED: AROUND_155, FORCE: AROUND_HALF, GAP: (0.0, 150e-6)},
         REPEATS,
-        at_most=1.0,
+        (
+            Bound("it repeats with the drive", PERIODS, at_most=1.0),
+            Bound("stroke at least 3.1 mm", STROKE, at_least=3.1e-3),
+        ),
     ),
     Advice(
-        "calm-stroke",
-        "At 148 to 162 Hz the stroke is at least 3.1 mm at any gap up to 0.15 mm.",
-        SCOPE,
-        True,
-        NOMINAL,
-        _regular,
-        STROKE,
-        REPEATS,
-        at_least=3.1e-3,
-    ),
-    Advice(
-        "soft-motor",
-        "At 105 to 115 Hz take a bridge of 5 kN/m instead of 30: the motor has at most 50 m/s² at any gap up "
-        "to 0.5 mm.",
+        "soft",
+        "At 105 to 115 Hz take a bridge of 5 kN/m instead of 30, with a gap up to 0.5 mm",
         SCOPE,
         True,
         {},
-        _soft,
-        MOTOR,
+        {SPEED: AROUND_110, FORCE: AROUND_HALF, GAP: (0.0, 500e-6), STIFFNESS: (4.5e3, 5.5e3)},
         REPEATS,
-        at_most=50.0,
-    ),
-    Advice(
-        "soft-force",
-        "At 105 to 115 Hz a bridge of 5 kN/m pushes the cutter with at most 2.4 N at any gap up to 0.5 mm.",
-        SCOPE,
-        True,
-        {},
-        _soft,
-        FORCE_OF_BRIDGE,
-        REPEATS,
-        at_most=2.4,
+        (
+            Bound("motor at most 50 m/s²", MOTOR, at_most=50.0),
+            Bound("housing at most 15 m/s²", HOUSING, at_most=15.0),
+            Bound("impacts at most 0.5 m/s", IMPACT, at_most=0.5),
+            Bound("force of the bridge at most 2.4 N", FORCE_OF_BRIDGE, at_most=2.4),
+        ),
     ),
     Advice(
         "little-friction",
         "If it has to be 105 to 115 Hz with the bridge as it is, keep friction below 0.25 N and the gap "
-        "below 0.04 mm: the motor has at most 75 m/s².",
+        "below 0.04 mm",
         "From rest, from 0.05 N of friction on.",
         True,
         NOMINAL,
         _near | {FORCE: (0.05, 0.25)},
-        MOTOR,
         BOUNDED,
-        at_most=75.0,
+        (Bound("motor at most 75 m/s²", MOTOR, at_most=75.0),),
     ),
     Advice(
         "nominal",
-        "Run at 105 to 115 Hz with the bridge as it is: even with a gap below 0.04 mm the motor may have "
-        "230 m/s², though never more than 260.",
+        "Run at 105 to 115 Hz with the bridge as it is, even with a gap below 0.04 mm",
         SCOPE,
         False,
         NOMINAL,
         _near,
-        MOTOR,
         BOUNDED,
-        at_most=260.0,
+        (Bound("the motor may have 230 m/s², though never more than 260", MOTOR, at_most=260.0),),
     ),
 )
 """What is advised, in the order of the first screen."""
@@ -150,12 +133,12 @@ class Tried:
     Attributes:
         point: Values of the places, SI units.
         kind: Word of the kind of motion.
-        value: The measure; None if the motion has none.
+        values: What each bound is of, in their order; None where the motion has no such number.
     """
 
     point: tuple[float, ...]
     kind: str
-    value: float | None
+    values: tuple[float | None, ...]
 
 
 @final
@@ -166,7 +149,7 @@ class Searched:
     Attributes:
         line: The line.
         tried: The points from rest.
-        starts: The worst points from ``STARTS`` starts; of each the worst motion.
+        starts: The motions that ``STARTS`` starts led to at the worst points.
         again: Points that this build has tried.
     """
 
@@ -176,19 +159,9 @@ class Searched:
     again: tuple[Tried, ...] = ()
 
     @property
-    def worst(self) -> Tried:
-        """The point nearest to the bound, or furthest beyond it."""
-        return min(self.tried, key=lambda each: spare(self.line, each))
-
-    @property
-    def worst_of_starts(self) -> Tried:
-        """The same of all starts."""
-        return min(self.starts, key=lambda each: spare(self.line, each))
-
-    @property
     def holds(self) -> bool:
         """Whether all points, also those tried again, are as the line says."""
-        return all(self.line.holds(each.kind, each.value) for each in (*self.tried, *self.again))
+        return all(holds(self.line, each) for each in (*self.tried, *self.again))
 
     @property
     def kinds(self) -> Mapping[str, int]:
@@ -196,24 +169,32 @@ class Searched:
         return Counter(each.kind for each in self.tried)
 
 
-def spare(line: Advice, tried: Tried) -> float:
-    """Return what is left to the bound, as a share of it; minus infinity for a kind that may not occur."""
-    if tried.kind not in line.kinds or tried.value is None:
-        return -np.inf
-    low = np.inf if line.at_least is None else tried.value / line.at_least - 1
-    high = np.inf if line.at_most is None else 1 - tried.value / line.at_most
-    return float(min(low, high))
+def spare(line: Advice, number: int, tried: Tried) -> float:
+    """Return what is left to a bound, as a share of it; minus infinity for a kind that may not occur."""
+    return line.bounds[number].spare(tried.values[number]) if tried.kind in line.kinds else -np.inf
 
 
-def attempt(line: Advice, point: tuple[float, ...], starts: int = 1) -> Tried:
-    """Return what ``trimmer respond`` finds at a point; of several starts the motion nearest to the bound."""
+def holds(line: Advice, tried: Tried) -> bool:
+    """Return whether a motion is as the line says."""
+    return all(spare(line, number, tried) >= 0 for number in range(len(line.bounds)))
+
+
+def nearest(line: Advice, number: int, tried: Sequence[Tried]) -> list[Tried]:
+    """Return what was tried in the order of what is left to a bound, the worst first."""
+    return sorted(tried, key=lambda each: spare(line, number, each))
+
+
+def attempt(line: Advice, point: tuple[float, ...], starts: int = 1) -> list[Tried]:
+    """Return what ``trimmer respond`` finds at a point; of several starts all motions."""
     mechanism = twin()
     for place, value in (*line.fixed.items(), *zip(line.over, point, strict=True)):
         mechanism = mechanism.with_value(place, value)
     found = response_json(respond(mechanism, starts=starts, seed=SEED))
     motions = [found] if starts == 1 else found["motions"]
-    tried = (Tried(point, each["kind"], _measured(each, line.measure)) for each in motions)
-    return min(tried, key=lambda each: spare(line, each))
+    return [
+        Tried(point, each["kind"], tuple(_measured(each, bound.measure) for bound in line.bounds))
+        for each in motions
+    ]
 
 
 def search(line: Advice) -> Searched:
@@ -225,25 +206,39 @@ def search(line: Advice) -> Searched:
     tried: list[Tried] = []
     for reach in (*REACHES, None):
         points = [tuple(map(float, each)) for each in low + np.clip(shares, 0, 1) * (high - low)]
-        tried += [attempt(line, tuple(rounded(value) or 0.0 for value in point)) for point in points]
+        rounds = (attempt(line, tuple(rounded(value) or 0.0 for value in point)) for point in points)
+        tried += [each for found in rounds for each in found]
         if reach is not None:
-            worst = sorted(tried, key=lambda each: spare(line, each))[:WORST]
-            centres = (np.array([each.point for each in worst]) - low) / (high - low)
-            moves = reach * draw.uniform(-1, 1, (WORST, NEAR, len(low)))
+            centres = (np.array(_worst_points(line, tried, WORST)) - low) / (high - low)
+            moves = reach * draw.uniform(-1, 1, (len(centres), NEAR, len(low)))
             shares = (centres[:, None, :] + moves).reshape(-1, len(low))
-    worst = sorted(tried, key=lambda each: spare(line, each))[:WORST]
-    return Searched(line, tuple(tried), tuple(attempt(line, each.point, STARTS) for each in worst))
+    others = (attempt(line, point, STARTS) for point in _worst_points(line, tried, WORST))
+    return Searched(line, tuple(tried), tuple(each for found in others for each in found))
+
+
+def _worst_points(line: Advice, tried: Sequence[Tried], count: int = 1) -> list[tuple[float, ...]]:
+    """Return the points nearest to each bound, so many of each, none twice."""
+    worst = (
+        each.point for number in range(len(line.bounds)) for each in nearest(line, number, tried)[:count]
+    )
+    return list(dict.fromkeys(worst))
 
 
 def tried_again(searched: Searched) -> Searched:
-    """Try the worst point of a search again, and the corners of speed and friction at its gap."""
-    line, worst = searched.line, searched.worst.point
-    ends = (
-        ends if place in (SPEED, FORCE) else (at,)
-        for (place, ends), at in zip(line.over.items(), worst, strict=True)
+    """Try the worst points of a search again, and the corners of speed and friction at their gaps."""
+    line, worst = searched.line, _worst_points(searched.line, searched.tried)
+    corners = (
+        corner
+        for point in worst
+        for corner in product(
+            *(
+                ends if place in (SPEED, FORCE) else (at,)
+                for (place, ends), at in zip(line.over.items(), point, strict=True)
+            )
+        )
     )
-    again = tuple(attempt(line, point) for point in {worst: None, **dict.fromkeys(product(*ends))})
-    return Searched(line, searched.tried, searched.starts, again)
+    again = [each for point in dict.fromkeys((*worst, *corners)) for each in attempt(line, point)]
+    return Searched(line, searched.tried, searched.starts, tuple(again))
 
 
 def write_advice(found: Sequence[Searched]) -> None:
@@ -269,7 +264,7 @@ def read_advice(lines: Sequence[Advice]) -> tuple[Searched, ...]:
 
 def inputs_of(lines: Sequence[Advice]) -> str:
     """Return the SHA-256 of the machine, of the boxes with their bounds, and of how they are searched."""
-    boxes = [line.told() | {"text": line.id} for line in lines]
+    boxes = [entry | {"text": line.id} for line in lines for entry in line.told()]
     machine = [twin().to_toml(), RANDOM, WORST, NEAR, list(REACHES), STARTS, SEED]
     return digest_of([boxes, machine])
 
@@ -282,8 +277,8 @@ def _measured(found: Mapping[str, Any], measure: str) -> float | None:
 
 
 def _row(tried: Tried) -> list[Any]:
-    return [*tried.point, tried.kind, rounded(tried.value, DIGITS)]
+    return [list(tried.point), tried.kind, [rounded(value, DIGITS) for value in tried.values]]
 
 
 def _tried(rows: Sequence[Sequence[Any]]) -> Iterator[Tried]:
-    return (Tried(tuple(point), kind, value) for *point, kind, value in rows)
+    return (Tried(tuple(point), kind, tuple(values)) for point, kind, values in rows)

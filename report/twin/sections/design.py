@@ -5,27 +5,41 @@ from __future__ import annotations
 from functools import partial
 from typing import Final
 
-from report.document.advice import Advice
+from report.document.advice import Advice, Bound
 from report.judging.parts import so
 from report.judging.record import text
 from report.numbers.evidence import Evidence
-from report.numbers.twin.advice import FORCE_OF_BRIDGE, LINES, MOTOR, PERIODS, STARTS, STROKE, Searched, Tried
+from report.numbers.twin.advice import (
+    FORCE_OF_BRIDGE,
+    HOUSING,
+    IMPACT,
+    LINES,
+    MOTOR,
+    PERIODS,
+    STARTS,
+    STROKE,
+    Searched,
+    holds,
+    nearest,
+)
 from report.twin.cell_check import WORDS
 from report.twin.figures.design import design_limits
 from report.twin.observation import ObservationRecord, Observed, SectionRecord
 
 SOURCE: Final = "report/numbers/twin/advice.py"
-MEASURED: Final = {
-    MOTOR: (1.0, "m/s² at the motor"),
-    STROKE: (1e3, "mm of stroke"),
+SHOWN: Final = {
+    MOTOR: (1.0, "m/s²"),
+    HOUSING: (1.0, "m/s²"),
+    STROKE: (1e3, "mm"),
     PERIODS: (1.0, "drive period"),
-    FORCE_OF_BRIDGE: (1.0, "N in the bridge"),
+    FORCE_OF_BRIDGE: (1.0, "N"),
+    IMPACT: (1.0, "m/s"),
 }
-"""What a measure is shown in, and what it is."""
+"""Factor and unit of what is shown of a measure."""
 
 
 def _record(number: int, line: Advice) -> ObservationRecord:
-    words = f"{'Do' if line.wanted else 'Do not'}: {line.text[:1].lower()}{line.text[1:].rstrip('.')}."
+    words = f"{'Do' if line.wanted else 'Do not'}: {line.text[:1].lower()}{line.text[1:]}"
     return ObservationRecord(f"twin-do-{line.id}", SOURCE, partial(_held, number), words)
 
 
@@ -34,26 +48,27 @@ def _held(number: int, known: Evidence) -> Observed:
     line = found.line
     ranges = ", ".join(_range(place, *ends) for place, ends in line.over.items())
     kinds = ", ".join(f"{count} {kind}" for kind, count in sorted(found.kinds.items()))
+    worst = "; ".join(_worst(found, at, bound) for at, bound in enumerate(line.bounds))
+    alone = "" if all(holds(line, each) for each in found.starts) else " So it holds from rest alone."
     yield text(f"""
-        From rest, for {ranges}. {len(found.tried)} points were tried: {kinds}. {_worst(found)}
+        From rest, for {ranges}. {len(found.tried)} points were tried: {kinds}. The worst found:
+        {worst}.{alone}
     """)
     yield so("all points that were searched, and those that this build has tried again, hold it", found.holds)
 
 
-def _worst(found: Searched) -> str:
-    line, other = found.line, f"from {STARTS - 1} other starts"
-    if line.measure == PERIODS and found.worst.value == found.worst_of_starts.value == 1.0:
-        return f"All repeat after one drive period, and those nearest to the bound do {other} too."
-    return (
-        f"The worst has {_value(line, found.worst)} with {_point(line, found.worst)}; {other} the worst "
-        f"points have {_value(line, found.worst_of_starts)} {_of_starts(found)}."
+def _worst(found: Searched, at: int, bound: Bound) -> str:
+    worst, of_starts = (nearest(found.line, at, each)[0] for each in (found.tried, found.starts))
+    told, again = (_value(bound, each.values[at]) for each in (worst, of_starts))
+    if bound.measure == PERIODS and worst.values[at] == of_starts.values[at] == 1.0:
+        return f"all repeat after one drive period, from {STARTS - 1} other starts too"
+    point = ", ".join(
+        f"{factor * value:.5g} {unit}"
+        for place, value in zip(found.line.over, worst.point, strict=True)
+        for _, factor, unit in (WORDS[place],)
     )
-
-
-def _of_starts(found: Searched) -> str:
-    worst = found.worst_of_starts
-    held = found.line.holds(worst.kind, worst.value)
-    return "at worst" if held else "at worst, so that the line holds from rest alone"
+    others = "" if again == told else f", {again} from {STARTS - 1} other starts"
+    return f"{told} for “{bound.says}” (at {point}{others})"
 
 
 def _range(place: str, low: float, high: float) -> str:
@@ -61,20 +76,11 @@ def _range(place: str, low: float, high: float) -> str:
     return f"{words} {factor * low:g} to {factor * high:g} {unit}"
 
 
-def _point(line: Advice, tried: Tried) -> str:
-    told = (
-        f"{words} {factor * value:.5g} {unit}"
-        for place, value in zip(line.over, tried.point, strict=True)
-        for words, factor, unit in (WORDS[place],)
-    )
-    return ", ".join(told)
-
-
-def _value(line: Advice, tried: Tried) -> str:
-    if tried.value is None:
-        return f"a motion that is {tried.kind} and has no such number"
-    factor, unit = MEASURED[line.measure]
-    return f"{factor * tried.value:.3g} {unit}"
+def _value(bound: Bound, value: float | None) -> str:
+    if value is None:
+        return "a motion without such a number"
+    factor, unit = SHOWN[bound.measure]
+    return f"{factor * value:.3g} {unit}"
 
 
 SECTION = SectionRecord(

@@ -9,7 +9,7 @@ import sympy
 from report.building.thesis import THESIS
 from report.data.statements import ThesisSection
 from report.data.text_copy import TextCopy
-from report.document.advice import Advice
+from report.document.advice import Advice, Bound
 from report.document.document import Document
 from report.document.extras import Answer, CorrectedResult, Highlight, Matter, Opening, Overview
 from report.document.thesis import Chapter, Program
@@ -135,17 +135,16 @@ def opening() -> Opening:
         ),
         _another(figures()[0], "opening"),
         (
-            _advice("Compute *your* trimmer.", True),
-            _advice("Trust $G$ blindly.", False),
-            _advice("Tune.", False),
+            _advice("Compute *your* trimmer", True),
+            _advice("Trust $G$ blindly", False),
+            _advice("Tune", False),
         ),
     )
 
 
 def _advice(words: str, wanted: bool) -> Advice:
-    return Advice(
-        "line", words, "", wanted, {}, {"frequency": (1.0, 2.0)}, "period_count", ("periodic",), 1.0
-    )
+    bounds = (Bound("it repeats", "period_count", at_most=1.0), Bound("it moves", "rms"))
+    return Advice("line", words, "", wanted, {}, {"frequency": (1.0, 2.0)}, ("periodic",), bounds)
 
 
 def matter() -> Matter:

@@ -196,6 +196,7 @@ def test_json_holds_all_that_is_known_of_an_orbit(orbit) -> None:
     assert content["contacts"]["slot"] == {
         "impacts_per_period": measures.contacts["slot"].impacts,
         "impact_speeds": list(measures.contacts["slot"].impact_speeds),
+        "impact_speed": measures.contacts["slot"].impact_speed,
         "largest_force": measures.contacts["slot"].largest_force,
         "share_of_time": measures.contacts["slot"].share,
     }
