@@ -232,9 +232,6 @@ local converters = {
   group = section("group"),
   ["errata-sheet"] = section("errata-sheet"),
   ["opening-figure"] = opening_figure,
-  ["verdict-picture"] = function(div)
-    return wrapped('<div class="picture">', { pandoc.Plain(div.content[1].content) }, "</div>")
-  end,
   ["answer-side"] = function(div)
     return comparison_side(div.attributes.side)(pandoc.Div(div.content, { class = "answer-side" }))
   end,

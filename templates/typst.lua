@@ -126,11 +126,6 @@ local converters = {
   ["do-not"] = content,
   answer = call("answer"),
   partial = call("partial-report"),
-  ["verdict-picture"] = function(div)
-    local image = div.content[1].content[1]
-    local opening = "#verdict-picture(%s, alt: %s)"
-    return raw(opening:format(quoted(image.src), quoted(pandoc.utils.stringify(image.caption))))
-  end,
   ["answer-side"] = function(div)
     return wrapped("#answer-side(" .. quoted(div.attributes.side) .. ")[", div.content, "]")
   end,

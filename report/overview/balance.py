@@ -5,13 +5,14 @@ from __future__ import annotations
 from report.document.extras import Matter
 from report.judging.text import one_line
 from report.numbers.evidence import Evidence
-from report.numbers.thesis import EXPERIMENT_GAP
+from report.numbers.thesis import EXPERIMENT_GAP, SMALL_GAP
 
 
 def balance(known: Evidence) -> tuple[Matter, ...]:
     """Return the matters in the order of the thesis, with the numbers as solved."""
     stable = known.cycles.friction.stable
-    in_place = known.cycles.equivalent.in_place.merger.force_per_gap * EXPERIMENT_GAP
+    per_gap = known.cycles.equivalent.in_place.merger.force_per_gap
+    in_place, small = per_gap * EXPERIMENT_GAP, per_gap * SMALL_GAP
     return (
         _matter(
             "The linear trimmer",
@@ -53,7 +54,9 @@ def balance(known: Evidence) -> tuple[Matter, ...]:
             "Enough dry friction between cutter and guard ends the limit cycles.",
             ("txt-7-coulomb", "txt-3.3-friction-suppresses"),
             f"That takes {in_place:.1f} N at 0.2 mm, more than there was. The limit cycle printed for 0.6 N "
-            "and 4 µm does not exist. Friction does not dominate the cutter's inertia.",
+            f"and 4 µm, at 737.514 Hz, does not exist: for this gap friction ends it at {small:.2g} N, and "
+            f"without friction it is at {stable.frequency:.1f} Hz. Friction does not dominate the cutter's "
+            "inertia.",
             ("txt-5.2.5-prediction", "txt-7-coulomb-evidence", "txt-6.3-friction-dominates"),
         ),
         _matter(

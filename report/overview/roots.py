@@ -40,7 +40,8 @@ ROOTS: Final = (
     ),
     Root(
         "The friction term of equation 5.14 and Listing A.6",
-        "It has the wrong sign, so that friction feeds the oscillation.",
+        "It has the wrong sign, so that friction feeds the oscillation. The 737.514 Hz that are printed for "
+        "0.6 N come from it; with the right sign there is no limit cycle to put in their place.",
         (
             "txt-5.2.5-coulomb-term",
             "eq-5.14",

@@ -21,7 +21,7 @@ from report.pages.formulas.latex import width
 from report.pages.formulas.line_breaking import fit
 from report.pages.links import BrokenLinkError, check_links
 from report.rendering import errata, outline, summary
-from report.rendering.pictures import spread_picture, verdict_picture
+from report.rendering.pictures import spread_picture
 from report.rendering.selection import without_links_to
 from report.rendering.sources import identifier, sources
 
@@ -36,7 +36,7 @@ MANY_PARTS = 6
 ERRATA_LINE = 15.0
 """Width of a line of a formula on the errata sheet, in em."""
 REPORT = (
-    *("opening", "advice", "answers", "roots", "balance", "twin"),
+    *("opening", "citing", "advice", "roots", "balance", "answers", "twin"),
     *("future_work", "derived", "certificate", "bibliography"),
 )
 """Pieces of the report to be read, in their order, last the works that all cite; then come the cards."""
@@ -182,7 +182,7 @@ def _environment() -> Environment:
         figures_judged=summary.figures_judged,
         command=summary.command,
         build_time=summary.build_time,
-        picture_description=verdict_picture.description,
+        not_to_cite=summary.not_to_cite,
         spread=spread_picture.spread,
         spread_description=spread_picture.description,
     )
@@ -196,13 +196,13 @@ def _environment() -> Environment:
         grade_words=summary.GRADES,
         certainties=summary.CERTAINTIES,
         symbols=summary.SYMBOLS,
-        CONCLUSION=Grade.CONCLUSION,
+        partly_words=summary.IN_PART,
+        **{each.name: each for each in Grade},
         FULL_LINE=FULL_LINE,
         HALF_LINE=HALF_LINE,
         ERRATA_LINE=ERRATA_LINE,
         ERRATA_HEADINGS=errata.HEADINGS,
         ARCHIVE=ARCHIVE,
-        VERDICT_PICTURE=verdict_picture.NAME,
         cited=cited,
         SPREAD_PICTURE=spread_picture.NAME,
     )

@@ -31,6 +31,21 @@ GRADES = {
     Grade.NOT_CHECKABLE: "not checkable",
     Grade.REPRODUCED: "reproduced",
 }
+IN_PART = {
+    Grade.CONCLUSION: "part of it changes a conclusion",
+    Grade.RESULT: "part of it is a wrong result",
+    Grade.SLIP: "part of it is a slip",
+    Grade.COPY: "part of it is possibly the copy",
+}
+"""Of a card that has parts that are right."""
+COLOURS = {
+    Grade.CONCLUSION: "#a3231f",
+    Grade.RESULT: "#8a4b08",
+    Grade.SLIP: "#5f5c00",
+    Grade.COPY: "#6a4a8c",
+    Grade.NOT_CHECKABLE: "#55585e",
+    Grade.REPRODUCED: "#17663a",
+}
 CERTAINTIES = {
     Certainty.PROVEN: "proven",
     Certainty.COMPUTED: "computed twice",
@@ -97,6 +112,15 @@ def count_table(document: Document) -> tuple[CountRow, ...]:
         for chapter in document.chapters
     ]
     return (*rows, _count_row(None, judged))
+
+
+def not_to_cite(chapter: Chapter) -> tuple[tuple[Finding, ...], ...]:
+    """Return what has a wrong result or changes a conclusion, by the place that a reader knows."""
+    found: dict[str, tuple[Finding, ...]] = {}
+    for finding in chapter.findings:
+        if grade(finding) in (Grade.CONCLUSION, Grade.RESULT):
+            found[short_reference(finding)] = (*found.get(short_reference(finding), ()), finding)
+    return tuple(found.values())
 
 
 def reference(finding: Finding) -> str:

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from report.document.document import Document
 from report.rendering.pictures import spread_picture
-from report.rendering.pictures.verdict_picture import NAME, verdict_picture
 
 
 def drawings(document: Document) -> dict[str, str]:
-    """Return the drawings: the counts of grades, a slip's way, all figures, and pictures of steps."""
+    """Return the drawings: a slip's way, all figures, and pictures of steps."""
     pictures = (step.picture for step in document.steps if step.picture)
     graph = {spread_picture.NAME: spread_picture.spread_picture(document)} if document.spread else {}
     figures = {figure.id: figure.svg for figure in (*document.drawings, *pictures)}
-    return {NAME: verdict_picture(document), **graph, **figures}
+    return {**graph, **figures}

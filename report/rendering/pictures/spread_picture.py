@@ -5,14 +5,16 @@ from __future__ import annotations
 import textwrap
 from dataclasses import dataclass
 from typing import Final
+from xml.sax.saxutils import escape
+
+from markupsafe import Markup
 
 from report.document.document import Document
 from report.judging.finding import Finding
 from report.judging.spread import Follows
 from report.judging.verdict import Grade, grade
 from report.pages.html import html_templates
-from report.rendering.pictures.verdict_picture import COLOURS, svg_text
-from report.rendering.summary import GRADES, SYMBOLS, capitalised, reference
+from report.rendering.summary import COLOURS, GRADES, SYMBOLS, capitalised, reference
 
 NAME: Final = "spread"
 """Name of the picture among the drawings of the report."""
@@ -131,3 +133,8 @@ def description(document: Document) -> str:
         for place in places
     )
     return "; ".join(said) + "."
+
+
+def svg_text(text: str) -> Markup:
+    """Return text for a drawing, in which quotation marks stay as they are."""
+    return Markup(escape(text))

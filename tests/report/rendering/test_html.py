@@ -117,8 +117,8 @@ def test_figures_are_inside_the_page_and_described(outline: Outline, document: D
     panels = [drawing for drawing in drawings if "aria-label" in drawing]
     assert len(panels) == len(document.explorable.panels)
     described = [drawing for drawing in drawings if "aria-labelledby" in drawing]
-    # and the pictures of the verdicts, of a slip's way, and of a waveform
-    assert len(described) == len(drawings) - len(panels) == len(document.drawings) + 3
+    # and the pictures of a slip's way, and of a waveform
+    assert len(described) == len(drawings) - len(panels) == len(document.drawings) + 2
     assert all(drawing["role"] == "img" for drawing in drawings)
     assert "img" not in [tag for tag, _ in outline.elements]
 

@@ -135,21 +135,6 @@ def test_figures_follow_the_colours_of_the_page(visit: Callable[..., Visit]) -> 
     assert page.evaluate(lines) == rgb("#0072b2")
 
 
-def test_heads_and_labels_of_the_summary_s_picture_keep_apart(visit: Callable[..., Visit]) -> None:
-    page = visit().page
-    page_checks.dress(page, ".picture svg { font-family: 'DejaVu Serif', serif }")  # one of the widest
-    boxes = page.evaluate("""[...document.querySelectorAll('.verdict-picture text, .verdict-picture rect')]
-      .map((e) => e.getBBox()).map(({ x, y, width, height }) => [x, y, x + width, y + height])""")
-    touching = [
-        (one, other)
-        for position, one in enumerate(boxes)
-        for other in boxes[:position]
-        if one[0] < other[2] and other[0] < one[2] and one[1] + 4 < other[3] and other[1] + 4 < one[3]
-    ]
-    assert len(boxes) > 8
-    assert touching == []
-
-
 def rgb(colour: str) -> str:
     """Write #rrggbb as a browser does."""
     return "rgb({}, {}, {})".format(*(int(colour[place : place + 2], 16) for place in (1, 3, 5)))

@@ -110,7 +110,7 @@ def first_resonance(known: Evidence) -> Record:
     yield digits("first eigenfrequency", "222.35", frequency, "Hz", second=second)
     yield assertion(
         "what follows for the drive",
-        "the resonances do not matter, as the drive is far below the first one",
+        "the resonances do not matter, as the first one is far above the drive",
         fifth < 1,
         f"the drive's harmonics meet them: the fifth of 100 Hz passes {fifth:.1f} times better than 100 Hz",
         method="frequency response at multiples of the drive",
