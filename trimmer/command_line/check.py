@@ -5,14 +5,12 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import file_to_read
+from trimmer.command_line.file_options import add_input
 from trimmer.errors import TrimmerError
 
 
 def _configure(parser: ArgumentParser) -> None:
-    parser.add_argument(
-        "file", type=file_to_read, metavar="FILE", help="proof, a JSON file that Proof.write has written"
-    )
+    add_input(parser, "file", "proof, a JSON file that Proof.write has written")
 
 
 def _run(arguments: Namespace) -> int:

@@ -86,4 +86,3 @@ COMMAND = Command(
         Example("trimmer completion tcsh", "for tcsh: write it into a file, and source that in ~/.tcshrc"),
     ),
 )
-"""The subcommand ``trimmer completion``."""

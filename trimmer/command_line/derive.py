@@ -7,9 +7,9 @@ from pathlib import Path
 
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import (
+    add_input,
     add_overwrite_option,
     check_targets,
-    file_to_read,
     file_to_write,
     show,
 )
@@ -24,12 +24,11 @@ STANDARD_OUTPUT = Path("/dev/stdout")
 
 
 def _configure(parser: ArgumentParser) -> None:
-    parser.add_argument(
+    add_input(
+        parser,
         "file",
-        type=file_to_read,
-        nargs="?",
-        metavar="FILE",
-        help="mechanism (TOML), - for standard input (default: the thesis's linear trimmer and its elements)",
+        "mechanism (TOML), - for standard input (default: the thesis's linear trimmer and its elements)",
+        optional=True,
     )
     parser.add_argument(
         "--module",

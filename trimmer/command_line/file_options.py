@@ -61,6 +61,12 @@ def _named(text: str) -> Path:
     return Path(text)
 
 
+def add_input(parser: ArgumentParser, name: str, meaning: str, *, optional: bool = False) -> None:
+    """Add a file to read, by position, where it may be optional, or as an option."""
+    settings = {"nargs": "?"} if optional else {}
+    parser.add_argument(name, type=file_to_read, metavar="FILE", help=meaning, **settings)  # type: ignore[arg-type]
+
+
 def add_overwrite_option(parser: ArgumentParser) -> None:
     """Add the option that lets files of any kind be replaced."""
     parser.add_argument(

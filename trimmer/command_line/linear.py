@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import PICTURES, check_targets, file_to_read, show
+from trimmer.command_line.file_options import PICTURES, add_input, check_targets, show
 from trimmer.command_line.loops.loop_options import add_loop_options, chosen_parameters
 from trimmer.command_line.mechanism_options import add_set_option, chosen_mechanism
 from trimmer.command_line.output_options import add_output_options, write_picture
@@ -14,12 +14,11 @@ from trimmer.command_line.system_options import SOURCES, refuse_loop_options
 
 
 def _configure(parser: ArgumentParser) -> None:
-    parser.add_argument(
+    add_input(
+        parser,
         "file",
-        type=file_to_read,
-        nargs="?",
-        metavar="FILE",
-        help="mechanism, a TOML file, - for standard input; without one, the linear trimmer of the thesis",
+        "mechanism, a TOML file, - for standard input; without one, the linear trimmer of the thesis",
+        optional=True,
     )
     add_set_option(parser)
     parser.add_argument(

@@ -6,16 +6,14 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from pathlib import Path
 
-from trimmer.command_line.file_options import file_to_read
+from trimmer.command_line.file_options import add_input
 from trimmer.command_line.parser import note
 from trimmer.mechanism.mechanism import Mechanism
 
 
 def add_mechanism_options(parser: ArgumentParser) -> None:
     """Add the file of a mechanism and ``--set``."""
-    parser.add_argument(
-        "file", type=file_to_read, metavar="FILE", help="mechanism, a TOML file; - for standard input"
-    )
+    add_input(parser, "file", "mechanism, a TOML file; - for standard input")
     add_set_option(parser)
 
 

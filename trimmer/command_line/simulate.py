@@ -204,4 +204,3 @@ COMMAND = Command(
         ),
     ),
 )
-"""The subcommand ``trimmer simulate``."""

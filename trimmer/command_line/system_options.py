@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from trimmer.command_line.file_options import file_to_read
+from trimmer.command_line.file_options import add_input
 from trimmer.command_line.loops.loop_options import ELEMENT_OPTIONS
 from trimmer.command_line.loops.motion_options import (
     add_impulse_option,
@@ -36,13 +36,7 @@ def add_system_options(
     parser: ArgumentParser, *, output_is_file: bool = False, file_help: str = FILE_HELP
 ) -> None:
     """Add the file of a mechanism, which may be left out, the options of a loop, and ``--set``."""
-    parser.add_argument(
-        "file",
-        type=file_to_read,
-        nargs="?",
-        metavar="FILE",
-        help=file_help,
-    )
+    add_input(parser, "file", file_help, optional=True)
     add_set_option(parser, OF_LOOP)
     add_motion_options(parser, output_is_file=output_is_file)
 

@@ -29,6 +29,14 @@ def finish(axes: Axes, across: Label, up: Label, strips: Sequence[Strip] = ()) -
     add_legend(axes)
 
 
+def label(axes: Axes, across: str, up: str) -> None:
+    """Name both axes of drawn curves in words as they are, and add grid and legend."""
+    axes.set_xlabel(across)
+    axes.set_ylabel(up, parse_math=False)
+    axes.grid(alpha=0.3)
+    add_legend(axes)
+
+
 def add_legend(axes: Axes, handles: Iterable[Artist] | None = None, title: str = "") -> None:
     """Add a legend outside of the data in which each label stands once; none without a label.
 

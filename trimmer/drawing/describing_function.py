@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from trimmer.arrays import Complexes, Reals
+from trimmer.drawing.axes import label
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.locus import draw_element_curve, ratios_of
 from trimmer.drawing.look import line
@@ -30,10 +31,8 @@ def draw_describing_function(element: Element, axes: Axes, omega: float | None =
     amplitude = amplitudes_of(element, omega)
     gain = element.describing_function(amplitude, omega)
     axes.semilogx(amplitude, abs(gain), **line(0))
-    axes.set_xlabel("amplitude A, unit of the input")
-    axes.set_ylabel("|N| (solid)")
+    label(axes, "amplitude A, unit of the input", "|N| (solid)")
     axes.set_ylim(bottom=0.0)
-    axes.grid(alpha=0.3)
     phases = axes.twinx()
     phases.set_ylabel("phase of N (dashed), degrees")
     degrees = _degrees(gain)

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MultipleLocator
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.drawing.axes import add_legend
+from trimmer.drawing.axes import label
 from trimmer.drawing.content import head, new_figure
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.frequencies import telling_frequencies
@@ -34,19 +34,16 @@ def draw_summary(summary: LinearSummary, axes: Axes) -> None:
     name = f"{summary.output.label} over the pin"
     omega = telling_frequencies(summary.factored, reach=REACH)
     axes.semilogx(omega / TURN, decibels(np.exp(summary.factored.log_gain(omega))), label=name, **line(0))
-    for extrema, marker, label in ((summary.peaks, "^", "peak"), (summary.antiresonances, "v", "dip")):
+    for extrema, marker, kind in ((summary.peaks, "^", "peak"), (summary.antiresonances, "v", "dip")):
         places = [each for each in extrema if 0 < each.magnitude < np.inf]
         if places:
             levels = decibels(np.array([each.magnitude for each in places]))
-            look: dict[str, Any] = {"color": BLACK, "fillstyle": "none", "linestyle": "none", "label": label}
+            look: dict[str, Any] = {"color": BLACK, "fillstyle": "none", "linestyle": "none", "label": kind}
             axes.plot([each.omega / TURN for each in places], levels, marker, markersize=4, **look)
     for number, mode in enumerate(each for each in summary.modes if each.frequency > 0):
         axes.axvline(mode.frequency, label="" if number else "natural mode, damped", **DOTTED)
     axes.margins(x=0.0)
-    axes.set_xlabel("frequency, Hz")
-    axes.set_ylabel("magnitude, dB")
-    axes.grid(alpha=0.3)
-    add_legend(axes)
+    label(axes, "frequency, Hz", "magnitude, dB")
 
 
 def summary_figure(summary: LinearSummary) -> Figure:
@@ -57,9 +54,7 @@ def summary_figure(summary: LinearSummary) -> Figure:
     upper.set_xlabel("")
     omega = telling_frequencies(summary.factored, reach=REACH)
     lower.semilogx(omega / TURN, np.degrees(summary.factored.phase(omega)), **line(0))
-    lower.set_xlabel("frequency, Hz")
-    lower.set_ylabel("phase, degrees")
+    label(lower, "frequency, Hz", "phase, degrees")
     lower.yaxis.set_major_locator(MultipleLocator(90.0))
-    lower.grid(alpha=0.3)
     head(figure, f"From the pin to {summary.output.label}")
     return figure

@@ -6,7 +6,7 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Flags
 from trimmer.ensembles.gain_by_phase import PLAY
-from trimmer.ensembles.polishing import Solutions
+from trimmer.ensembles.polishing import CycleSolutions
 from trimmer.ensembles.polynomials import roots
 from trimmer.ensembles.responses import Responses
 
@@ -14,7 +14,7 @@ ROUNDING = 1e-9
 """Part of a pole below which its real or imaginary part is taken for rounding."""
 
 
-def unstable_others(responses: Responses, poles: Complexes, solutions: Solutions) -> tuple[Flags, Flags]:
+def unstable_others(responses: Responses, poles: Complexes, solutions: CycleSolutions) -> tuple[Flags, Flags]:
     """Say which loops have another unstable pole, and for which that could not be told, each (m,).
 
     The poles are those of 1 + N G(s) with N frozen that swing with positive frequency, and the real ones

@@ -20,7 +20,7 @@ SLACK = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
-class Solutions(ArrayRecord):
+class CycleSolutions(ArrayRecord):
     """Solutions of harmonic balance, each of shape (m,).
 
     Attributes:
@@ -40,7 +40,7 @@ class Solutions(ArrayRecord):
     found: Flags
 
 
-def polished(responses: Responses, crossings: Crossings) -> Solutions:
+def polished(responses: Responses, crossings: Crossings) -> CycleSolutions:
     """Find the solution within each of m enclosures."""
     x, u = np.log(0.5 * (crossings.lower + crossings.upper)), crossings.u.copy()
     for _ in range(STEPS):
@@ -60,4 +60,4 @@ def polished(responses: Responses, crossings: Crossings) -> Solutions:
     # u falls as the amplitude rises, and 1/G is the negative of the inverse here.
     sine = cross(-by_u, -by_x) / (np.abs(by_u) * np.abs(by_x))
     inside = (omega > crossings.lower * (1 - SLACK)) & (omega < crossings.upper * (1 + SLACK))
-    return Solutions(omega, u, gain, sine, residual, inside & (residual < ROUNDING))
+    return CycleSolutions(omega, u, gain, sine, residual, inside & (residual < ROUNDING))

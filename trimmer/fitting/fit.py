@@ -16,7 +16,7 @@ from trimmer.fitting.measured import SMALLEST_NOISE, measure_lines
 from trimmer.fitting.minimum import nearby_minimum
 from trimmer.fitting.misfit import Misfit
 from trimmer.fitting.model import SETTLED_WITHIN, Model
-from trimmer.fitting.profile import Profile, ProfileSide
+from trimmer.fitting.profile import MisfitProfile, ProfileSide
 from trimmer.fitting.result import Fit, FittedNumber
 from trimmer.fitting.search import AGREES, search
 from trimmer.fitting.stray import in_words
@@ -228,7 +228,7 @@ def _profiled(
         jacobian, better = misfit.jacobian(best), None
         sides = []
         for place in progress_bar(range(count), "intervals"):
-            profile = Profile(misfit, best, jacobian, place, allowed)
+            profile = MisfitProfile(misfit, best, jacobian, place, allowed)
             sides.append((profile.side(-1.0), profile.side(1.0)))
             better = next((each.better for each in sides[-1] if each.better is not None), None)
             if better is not None:

@@ -92,7 +92,7 @@ class _Bracket:
 
 
 @dataclass(frozen=True, eq=False)
-class Profile:
+class MisfitProfile:
     """The profile of one number about a fit.
 
     Attributes:

@@ -9,7 +9,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.errors import IllPosedLoopError
 from trimmer.loops.components.switched_component import Constrained, RateProportional, Signals
-from trimmer.loops.interconnection import NEGLIGIBLE, Interconnection, Layout, acts
+from trimmer.loops.interconnection import NEGLIGIBLE, Interconnection, StateLayout, acts
 
 DEPENDENT = 1e-10
 """Conditions on outputs that differ by less, relative to their sizes, are one."""
@@ -33,7 +33,7 @@ class OpenMode:
 
 
 def implicit_outputs(
-    system: Interconnection, layout: Layout, component_modes: tuple[int, ...], opened: OpenMode
+    system: Interconnection, layout: StateLayout, component_modes: tuple[int, ...], opened: OpenMode
 ) -> Reals:
     """Solve for the outputs that follow from a condition on the rates, one row each."""
     if not opened.implicit:
@@ -100,7 +100,7 @@ def _differentiated(row: Reals, opened: OpenMode, column: int, label: str) -> Re
 
 
 def component_signals(
-    layout: Layout, flow: tuple[Reals, Reals], given: Reals, output: Reals, k: int, count: int
+    layout: StateLayout, flow: tuple[Reals, Reals], given: Reals, output: Reals, k: int, count: int
 ) -> Signals:
     """Return the rows of a component; ``flow``: matrix, and sizes of the terms of its entries."""
     matrix, sizes = flow

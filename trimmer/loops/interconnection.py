@@ -142,7 +142,7 @@ def effect(row: Reals, column: Reals) -> float:
 
 
 @dataclass(frozen=True)
-class Layout:
+class StateLayout:
     """Positions in the extended state.
 
     Attributes:
@@ -162,7 +162,7 @@ class Layout:
     following: tuple[int, ...] = ()
 
     @classmethod
-    def of(cls, interconnection: Interconnection) -> Layout:
+    def of(cls, interconnection: Interconnection) -> StateLayout:
         """Return the layout of an interconnection: plant, components, drives, one."""
         counts = [component.state_count for component in interconnection.components]
         ends = np.cumsum([interconnection.order, *counts])

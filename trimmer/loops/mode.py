@@ -13,32 +13,32 @@ from trimmer.loops.components.relay_component import HELD, RelayComponent
 from trimmer.loops.components.switched_component import (
     Constrained,
     Explicit,
+    ModeChange,
     Signals,
-    Transition,
 )
 from trimmer.loops.frictions.coupled_relays import CoupledRelays, attracting
 from trimmer.loops.frictions.stick import projection
 from trimmer.loops.implicit_outputs import OpenMode, component_signals, implicit_outputs, without_rounding
-from trimmer.loops.interconnection import NEGLIGIBLE, Interconnection, Layout, effect
+from trimmer.loops.interconnection import NEGLIGIBLE, Interconnection, StateLayout, effect
 
 FUNCTIONS_OF_COMPONENT = 3
 """No component by itself has more event functions in a mode."""
 
 
 @dataclass(frozen=True)
-class Change:
+class ComponentChange:
     """A component, and what it does at an event."""
 
     component: int
-    transition: Transition
+    transition: ModeChange
 
 
 @dataclass(frozen=True, eq=False)
 class LoopFunction(EventFunction):
     """An event function: all that changes when it falls to zero, or when it is negative at once."""
 
-    reached: tuple[Change, ...] = ()
-    jumped: tuple[Change, ...] = ()
+    reached: tuple[ComponentChange, ...] = ()
+    jumped: tuple[ComponentChange, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +59,7 @@ def assemble(system: Interconnection, component_modes: tuple[int, ...], coupled:
     An ``IllPosedLoopError`` says that too few integrators lie between the output of a component and its
     input.
     """
-    layout = Layout.of(system)
+    layout = StateLayout.of(system)
     opened = _open(system, layout, component_modes)
     implicit_rows = implicit_outputs(system, layout, component_modes, opened)
     matrix, sizes = opened.flow + opened.push @ implicit_rows, np.zeros_like(opened.flow)
@@ -139,26 +139,28 @@ def _of_components(system: Interconnection, mode: LoopMode, coupled: CoupledRela
 
 
 def _with_those_that_follow(
-    component_modes: tuple[int, ...], k: int, transition: Transition, coupled: CoupledRelays
-) -> tuple[Change, ...]:
+    component_modes: tuple[int, ...], k: int, transition: ModeChange, coupled: CoupledRelays
+) -> tuple[ComponentChange, ...]:
     """Return the change of a component, with those that are held from then on because it is."""
-    changes = [Change(k, transition)]
+    changes = [ComponentChange(k, transition)]
     if k in coupled.members and transition.target == HELD:
         before = [HELD if each == k else mode for each, mode in enumerate(component_modes)]
         after = coupled.closed(tuple(before))
-        changes += [Change(j, transition) for j in coupled.members if after[j] != before[j]]
+        changes += [ComponentChange(j, transition) for j in coupled.members if after[j] != before[j]]
     return tuple(changes)
 
 
 def _of_coupled(
-    system: Interconnection, mode: LoopMode, coupled: CoupledRelays, layout: Layout
+    system: Interconnection, mode: LoopMode, coupled: CoupledRelays, layout: StateLayout
 ) -> Iterator[LoopFunction]:
     """Yield the distances of what coupled relays hold from what they can hold at most."""
     outputs = np.array([mode.signals[k].output for k in coupled.members])
     for vector, bound in coupled.facets(mode.statuses):
         sliding = [(coupled.members[each], vector[each]) for each in np.flatnonzero(vector)]
         slips = [(k, _slip(system, k, float(sign))) for k, sign in sliding]
-        reached, jumped = (tuple(Change(k, slip[flavour]) for k, slip in slips) for flavour in (0, 1))
+        reached, jumped = (
+            tuple(ComponentChange(k, slip[flavour]) for k, slip in slips) for flavour in (0, 1)
+        )
         row = without_rounding(
             bound * layout.one - vector @ outputs, bound * layout.one + abs(vector) @ abs(outputs)
         )
@@ -166,13 +168,13 @@ def _of_coupled(
         yield LoopFunction(JOINTLY, AT_LIMIT, row, signs, 0, reached, jumped)
 
 
-def _slip(system: Interconnection, k: int, sign: float) -> tuple[Transition, Transition]:
+def _slip(system: Interconnection, k: int, sign: float) -> tuple[ModeChange, ModeChange]:
     component = system.components[k]
     assert isinstance(component, RelayComponent)
     return component.slip(sign > 0)
 
 
-def _open(system: Interconnection, layout: Layout, component_modes: tuple[int, ...]) -> OpenMode:
+def _open(system: Interconnection, layout: StateLayout, component_modes: tuple[int, ...]) -> OpenMode:
     """Resolve the outputs that are explicit functions of inputs and states, and put the flow together."""
     count = len(system.components)
     gains, own = np.zeros(count), np.zeros((count, layout.size))
@@ -197,7 +199,7 @@ def _open(system: Interconnection, layout: Layout, component_modes: tuple[int, .
     return OpenMode(flow, push, inputs, outputs, selection, tuple(implicit), holds)
 
 
-def _inputs(system: Interconnection, layout: Layout) -> Reals:
+def _inputs(system: Interconnection, layout: StateLayout) -> Reals:
     """Return the inputs, on which no output acts at once."""
     inputs = np.zeros((len(system.components), layout.size))
     inputs[:, : layout.order] = system.C
@@ -206,7 +208,7 @@ def _inputs(system: Interconnection, layout: Layout) -> Reals:
     return inputs
 
 
-def _own_flow(system: Interconnection, layout: Layout, component_modes: tuple[int, ...]) -> Reals:
+def _own_flow(system: Interconnection, layout: StateLayout, component_modes: tuple[int, ...]) -> Reals:
     """Return the flow of plant, components and drive without the elements."""
     flow = np.zeros((layout.size, layout.size))
     flow[: layout.order, : layout.order] = system.A

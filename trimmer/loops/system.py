@@ -27,8 +27,8 @@ from trimmer.loops.components.relay_component import HELD
 from trimmer.loops.components.switched_component import EventKind
 from trimmer.loops.frictions.complementarity import complementary_mode
 from trimmer.loops.frictions.coupled_relays import CoupledRelays, attracting
-from trimmer.loops.interconnection import Interconnection, Layout
-from trimmer.loops.mode import FUNCTIONS_OF_COMPONENT, Change, LoopFunction, LoopMode, assemble
+from trimmer.loops.interconnection import Interconnection, StateLayout
+from trimmer.loops.mode import FUNCTIONS_OF_COMPONENT, ComponentChange, LoopFunction, LoopMode, assemble
 
 KINDS: Mapping[EventKind, int] = {
     EventKind.STICK: HOLD_BEGUN,
@@ -54,9 +54,9 @@ class LoopSystem:
         """Nothing samples a loop."""
 
     @cached_property
-    def layout(self) -> Layout:
+    def layout(self) -> StateLayout:
         """Positions of plant, components and drive in the extended state."""
-        return Layout.of(self.interconnection)
+        return StateLayout.of(self.interconnection)
 
     @cached_property
     def coupled(self) -> CoupledRelays:
@@ -162,7 +162,7 @@ class LoopSystem:
         return tuple(k for k in sorted(changed) if components[k].drops)
 
 
-def _with(statuses: tuple[int, ...], changes: tuple[Change, ...]) -> tuple[int, ...]:
+def _with(statuses: tuple[int, ...], changes: tuple[ComponentChange, ...]) -> tuple[int, ...]:
     targets = {change.component: change.transition.target for change in changes}
     return tuple(targets.get(k, before) for k, before in enumerate(statuses))
 

@@ -31,7 +31,7 @@ NEAR = 0.7
 
 
 @dataclass(frozen=True, eq=False)
-class Start:
+class HarmonicStart:
     """First harmonics of inputs, (elements,), omega, rad/s, and how far the eigenvalue is from 1."""
 
     inputs: Complexes
@@ -68,7 +68,7 @@ def starts(
     elements: tuple[Element, ...],
     places: tuple[list[int], list[int]],
     omega_range: tuple[float, float],
-) -> list[Start]:
+) -> list[HarmonicStart]:
     """Return where to begin, the nearest to a balance first, in a range of angular frequencies, rad/s."""
     omegas = np.geomspace(*omega_range, OMEGAS)
     G = responses(plant, *places, omegas)[:, None]
@@ -78,7 +78,7 @@ def starts(
         values, inputs = _eigenvalues(G, elements, number, amplitudes, omegas)
         for row, column in _minima(np.abs(values - 1.0)):
             distance = float(abs(values[row, column] - 1.0))
-            found.append(Start(inputs[row, column], float(omegas[row]), distance))
+            found.append(HarmonicStart(inputs[row, column], float(omegas[row]), distance))
     return sorted(found, key=lambda each: each.distance)
 
 

@@ -7,7 +7,7 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import PICTURES, check_targets, file_to_read, show
+from trimmer.command_line.file_options import PICTURES, add_input, check_targets, show
 from trimmer.command_line.loops.loop_options import (
     add_element_options,
     add_loop_options,
@@ -24,11 +24,10 @@ if TYPE_CHECKING:
 def _configure(parser: ArgumentParser) -> None:
     add_element_options(parser)
     add_loop_options(parser)
-    parser.add_argument(
+    add_input(
+        parser,
         "--response",
-        type=file_to_read,
-        metavar="FILE",
-        help="measured response of the linear part, a table (CSV) of frequency (Hz) or omega (rad/s), and of "
+        "measured response of the linear part, a table (CSV) of frequency (Hz) or omega (rad/s), and of "
         "real and imaginary, or magnitude or decibels with phase (rad) or degrees; predictions then lie "
         "between its frequencies alone, without a certificate (default: the trimmer)",
     )

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.file_options import file_to_read
+from trimmer.command_line.file_options import add_input
 from trimmer.command_line.parser import OptionError, as_option, is_given, require_positive
 
 if TYPE_CHECKING:
@@ -114,11 +114,10 @@ MAY_BE_ZERO = ("time_constant", "hysteresis", "dead_zone")
 
 def add_loop_options(parser: ArgumentParser, *, output_is_file: bool = False) -> None:
     """Add parameters, displacement, which is ``--output`` too unless that is a file, and channels."""
-    parser.add_argument(
+    add_input(
+        parser,
         "--parameters",
-        metavar="FILE",
-        type=file_to_read,
-        help="TOML file with the trimmer's parameters, - for standard input (default: the thesis's trimmer)",
+        "TOML file with the trimmer's parameters, - for standard input (default: the thesis's trimmer)",
     )
     parser.add_argument(
         "--displacement",
@@ -145,29 +144,22 @@ def add_element_options(parser: ArgumentParser, *, required: bool = True) -> Non
         help="backlash controlled by friction, inertia or both (viscous); Coulomb friction; relay; "
         "saturation; dead zone; preload, which is a gain and a relay",
     )
-    parser.add_argument("--gap", type=float, metavar="M", help="total clearance of the backlash, m")
-    parser.add_argument("--time-constant", type=float, metavar="S", help="M/D of the load, s (viscous)")
-    parser.add_argument(
-        "--force",
-        type=float,
-        metavar="N",
-        help="Coulomb friction, or level of the relay or preload, N (coulomb, relay, preload)",
-    )
-    parser.add_argument(
-        "--threshold", type=float, metavar="M", help="input at the corner, m (saturation, dead-zone)"
-    )
-    parser.add_argument(
-        "--slope",
-        type=float,
-        metavar="RATIO",
-        help="output over input on the inclined part (saturation, dead-zone, preload; default: 1)",
-    )
-    parser.add_argument(
-        "--hysteresis", type=float, metavar="M", help="half the width of the loop, m (relay; default: 0)"
-    )
-    parser.add_argument(
-        "--dead-zone", type=float, metavar="M", help="half the width without output, m (relay; default: 0)"
-    )
+    for name, (metavar, meaning) in _MEANINGS.items():
+        parser.add_argument(as_option(name), type=float, metavar=metavar, help=meaning)
+
+
+_MEANINGS = {
+    "gap": ("M", "total clearance of the backlash, m"),
+    "time_constant": ("S", "M/D of the load, s (viscous)"),
+    "force": ("N", "Coulomb friction, or level of the relay or preload, N (coulomb, relay, preload)"),
+    "threshold": ("M", "input at the corner, m (saturation, dead-zone)"),
+    "slope": (
+        "RATIO",
+        "output over input on the inclined part (saturation, dead-zone, preload; default: 1)",
+    ),
+    "hysteresis": ("M", "half the width of the loop, m (relay; default: 0)"),
+    "dead_zone": ("M", "half the width without output, m (relay; default: 0)"),
+}
 
 
 def closed_loop(arguments: Namespace) -> ClosedLoop:

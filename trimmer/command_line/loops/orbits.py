@@ -95,4 +95,3 @@ COMMAND = Command(
         ),
     ),
 )
-"""The subcommand ``trimmer orbits``."""

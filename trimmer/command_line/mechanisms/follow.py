@@ -127,4 +127,3 @@ COMMAND = Command(
         ),
     ),
 )
-"""The subcommand ``trimmer follow``."""

@@ -232,4 +232,3 @@ COMMAND = Command(
         ),
     ),
 )
-"""The subcommand ``trimmer map``."""

@@ -100,4 +100,3 @@ COMMAND = Command(
         ),
     ),
 )
-"""The subcommand ``trimmer respond``."""

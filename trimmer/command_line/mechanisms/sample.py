@@ -195,4 +195,3 @@ COMMAND = Command(
         ),
     ),
 )
-"""The subcommand ``trimmer sample``."""

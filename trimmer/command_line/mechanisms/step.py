@@ -74,4 +74,3 @@ COMMAND = Command(
         ),
     ),
 )
-"""The subcommand ``trimmer step``."""

@@ -108,4 +108,3 @@ COMMAND = Command(
         ),
     ),
 )
-"""The subcommand ``trimmer sweep``."""

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import PICTURES, check_targets, file_to_read, show
+from trimmer.command_line.file_options import PICTURES, add_input, check_targets, file_to_read, show
 from trimmer.command_line.loops.motion_options import add_motion_options, chosen_loop
 from trimmer.command_line.mechanism_options import add_seed_option, add_set_option, chosen_mechanism
 from trimmer.command_line.number_options import add_count
@@ -36,11 +36,8 @@ DRIVE_HELP = (
 
 
 def _configure(parser: ArgumentParser) -> None:
-    parser.add_argument(
-        "file",
-        type=file_to_read,
-        metavar="FILE",
-        help="mechanism, a TOML file, - for standard input; left out, a loop of the thesis moves",
+    add_input(
+        parser, "file", "mechanism, a TOML file, - for standard input; left out, a loop of the thesis moves"
     )
     add_set_option(parser, OF_LOOP)
     add_motion_options(parser, output_is_file=True, drive_help=DRIVE_HELP)
@@ -244,4 +241,3 @@ COMMAND = Command(
         ),
     ),
 )
-"""The subcommand ``trimmer fit``."""

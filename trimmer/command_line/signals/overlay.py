@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import PICTURES, check_targets, file_to_read, show
+from trimmer.command_line.file_options import PICTURES, add_input, check_targets, show
 from trimmer.command_line.loops.motion_options import add_motion_options, chosen_loop
 from trimmer.command_line.mechanism_options import add_set_option, mechanism_with
 from trimmer.command_line.output_options import add_output_options, write_picture
@@ -28,11 +28,10 @@ if TYPE_CHECKING:
 
 def _configure(parser: ArgumentParser) -> None:
     add_signal_options(parser)
-    parser.add_argument(
+    add_input(
+        parser,
         "--against",
-        type=file_to_read,
-        metavar="FILE",
-        help="the mechanism, a TOML file; without one, a loop of the thesis that the options choose",
+        "the mechanism, a TOML file; without one, a loop of the thesis that the options choose",
     )
     add_set_option(parser, OF_LOOP)
     parser.add_argument(
@@ -163,4 +162,3 @@ COMMAND = Command(
         ),
     ),
 )
-"""The subcommand ``trimmer overlay``."""

@@ -8,7 +8,7 @@ from argparse import ArgumentParser, Namespace
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.file_options import file_to_read
+from trimmer.command_line.file_options import add_input
 from trimmer.command_line.number_options import add_count, add_positive, finite, positive
 from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.files import STANDARD_INPUT
@@ -37,11 +37,10 @@ def column(text: str) -> str:
 
 def add_signal_options(parser: ArgumentParser) -> None:
     """Add the file of the signal, and the options that say how to read it and what to make of it."""
-    parser.add_argument(
+    add_input(
+        parser,
         "file",
-        type=file_to_read,
-        metavar="FILE",
-        help="WAV file, or CSV file with the samples, one row each, with a heading or not; - for CSV from "
+        "WAV file, or CSV file with the samples, one row each, with a heading or not; - for CSV from "
         "standard input",
     )
     _add_column_option(parser)

@@ -7,13 +7,7 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, Example
-from trimmer.command_line.file_options import (
-    PICTURES,
-    add_overwrite_option,
-    check_targets,
-    file_to_read,
-    show,
-)
+from trimmer.command_line.file_options import PICTURES, add_input, add_overwrite_option, check_targets, show
 from trimmer.command_line.loops.loop_options import add_loop_options, chosen_parameters, linear_part
 from trimmer.command_line.mechanism_options import add_set_option, mechanism_with
 from trimmer.command_line.number_options import add_count, add_positive
@@ -62,11 +56,10 @@ def _configure(parser: ArgumentParser) -> None:
         help="the pin follows the output although there is a drive; else a driven trimmer is not said to "
         "have a limit cycle, which needs that feedback",
     )
-    parser.add_argument(
+    add_input(
+        parser,
         "--against",
-        type=file_to_read,
-        metavar="FILE",
-        help="mechanism, a TOML file, whose natural modes, with its contacts closed and open, are looked for "
+        "mechanism, a TOML file, whose natural modes, with its contacts closed and open, are looked for "
         "in place of the thesis's, and whose motion stands beside; --output names its output",
     )
     add_set_option(parser)

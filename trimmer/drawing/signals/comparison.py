@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from trimmer.drawing.axes import add_legend, finish
+from trimmer.drawing.axes import finish, label
 from trimmer.drawing.content import new_figure
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, COLOURS
@@ -41,10 +41,7 @@ def draw_comparison(comparison: MotionComparison, axes: Axes) -> None:
     lines = comparison.frequencies, abs(comparison.simulated)
     axes.plot(*lines, "x", linestyle="none", color=SIMULATED, markersize=6, label="simulated lines")
     axes.set_ylim(bottom=max(0.3 * float(np.median(amplitude)), 1e-7 * float(amplitude.max()) or 1e-30))
-    axes.set_xlabel("frequency, Hz")
-    axes.set_ylabel(f"amplitude, {signal.unit}", parse_math=False)
-    axes.grid(alpha=0.3)
-    add_legend(axes)
+    label(axes, "frequency, Hz", f"amplitude, {signal.unit}")
 
 
 def draw_waveforms(comparison: MotionComparison, axes: Axes) -> None:

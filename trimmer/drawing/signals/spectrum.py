@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from trimmer.arrays import Reals
-from trimmer.drawing.axes import add_legend
+from trimmer.drawing.axes import add_legend, label
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, colour
 from trimmer.spectra.analysis import SpectrumAnalysis
@@ -48,10 +48,8 @@ MARKERS = {
 def draw_spectrum(spectrum: Spectrum, axes: Axes, unit: str = "", highest: float = np.inf) -> None:
     """Draw the amplitude over frequency, Hz, a little further than the highest."""
     axes.semilogy(*outline(spectrum, highest), linewidth=0.9, color="0.4")
-    axes.set_xlabel("frequency, Hz")
-    axes.set_ylabel(f"amplitude, {unit}" if unit else "amplitude", parse_math=False)
+    label(axes, "frequency, Hz", f"amplitude, {unit}" if unit else "amplitude")
     axes.set_title(f"{spectrum.window.word} window, bins {spectrum.bin_width:.4g} Hz apart", fontsize="small")
-    axes.grid(alpha=0.3)
 
 
 @draw.register(SpectrumAnalysis)
@@ -60,11 +58,11 @@ def draw_analysis(analysis: SpectrumAnalysis, axes: Axes) -> None:
     highest = max((each.peak.frequency for each in analysis.peaks), default=np.inf)
     draw_spectrum(analysis.spectrum, axes, analysis.signal.unit, highest)
     axes.margins(x=0.01, y=0.12)
-    for number, (kind, (marker, label)) in enumerate(MARKERS.items()):
+    for number, (kind, (marker, meaning)) in enumerate(MARKERS.items()):
         found = [each.peak for each in analysis.peaks if type(_origin(each)) is kind]
         if found:
             places = [peak.frequency for peak in found], [peak.amplitude for peak in found]
-            axes.plot(*places, marker, linestyle="none", color=colour(number), label=label)
+            axes.plot(*places, marker, linestyle="none", color=colour(number), label=meaning)
     _mark_unsteady(axes, [each.peak for each in analysis.peaks if not each.peak.resolved])
     _write_frequencies(axes, analysis)
     add_legend(axes)
@@ -112,10 +110,8 @@ def draw_harmonics(fit: HarmonicFit, axes: Axes) -> None:
     axes.set_yscale("log")
     axes.vlines(orders[seen], floor, amplitudes[seen], color=colour(0), linewidth=1.2)
     axes.plot(orders[seen], amplitudes[seen], "o", color=BLACK, markersize=4, linestyle="none")
-    axes.set_xlabel(f"order of the drive, {fit.frequency:.6g} Hz")
-    axes.set_ylabel("amplitude, unit of the signal")
+    label(axes, f"order of the drive, {fit.frequency:.6g} Hz", "amplitude, unit of the signal")
     axes.locator_params(axis="x", integer=True)
-    axes.grid(alpha=0.3)
 
 
 @draw.register(AveragedSpectrum)
@@ -125,10 +121,7 @@ def draw_averaged(spectrum: AveragedSpectrum, axes: Axes) -> None:
     low, high = (factor * density for factor in spectrum.interval)
     axes.fill_between(frequency, low, high, color="0.85", linewidth=0, label="interval of 95 %, of noise")
     axes.semilogy(frequency, density, color=colour(0), linewidth=0.9, label="density")
-    axes.set_xlabel("frequency, Hz")
-    axes.set_ylabel("density, unit² of the signal/Hz")
-    axes.grid(alpha=0.3)
-    add_legend(axes)
+    label(axes, "frequency, Hz", "density, unit² of the signal/Hz")
 
 
 def outline(spectrum: Spectrum, highest_peak: float) -> tuple[Reals, Reals]:

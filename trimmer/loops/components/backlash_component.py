@@ -11,12 +11,12 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.loops.components.switched_component import (
     Component,
-    EventFunction,
+    ComponentFunction,
     EventKind,
     Explicit,
+    ModeChange,
     OutputLaw,
     Signals,
-    Transition,
 )
 
 FREE, UPPER, LOWER, RESTING = range(4)
@@ -101,7 +101,7 @@ class BacklashComponent(Component):
             return signals.input_curvature + signals.input_rate / self.time_constant
         return self.time_constant * signals.input_curvature + signals.input_rate
 
-    def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[EventFunction, ...]:
+    def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[ComponentFunction, ...]:
         """Return the clearances to both sides in the gap, the contact force in contact."""
         if mode == RESTING:
             return self._clearances(signals)
@@ -115,29 +115,29 @@ class BacklashComponent(Component):
         upper = mode == UPPER
         force = self.switching_function(signals) if upper else -self.switching_function(signals)
         leave, leave_at_once = (
-            Transition(EventKind.SEPARATION, FREE, resets, (zeros, 0) if upper else (0, zeros))
+            ModeChange(EventKind.SEPARATION, FREE, resets, (zeros, 0) if upper else (0, zeros))
             for zeros in (reached, jumped)
         )
-        return (EventFunction(force, leave, leave_at_once),)
+        return (ComponentFunction(force, leave, leave_at_once),)
 
-    def _clearances(self, signals: Signals) -> tuple[EventFunction, ...]:
+    def _clearances(self, signals: Signals) -> tuple[ComponentFunction, ...]:
         half_gap = 0.5 * self.gap * signals.one
         play = signals.input - signals.output
         nothing = 0.0 * signals.one
         stop = (signals.states[0], nothing, nothing) if self.slows_down else ()
-        meet_upper, meet_lower = (Transition(EventKind.IMPACT, side, stop, (0,)) for side in (UPPER, LOWER))
+        meet_upper, meet_lower = (ModeChange(EventKind.IMPACT, side, stop, (0,)) for side in (UPPER, LOWER))
         return (
-            EventFunction(half_gap - play, meet_upper, meet_upper, continuous=1),
-            EventFunction(half_gap + play, meet_lower, meet_lower, continuous=1),
+            ComponentFunction(half_gap - play, meet_upper, meet_upper, continuous=1),
+            ComponentFunction(half_gap + play, meet_lower, meet_lower, continuous=1),
         )
 
-    def _rest(self, signals: Signals) -> tuple[EventFunction, ...]:
+    def _rest(self, signals: Signals) -> tuple[ComponentFunction, ...]:
         """Return the event function that ends a flight where the velocity is lost in rounding."""
         position, velocity, share = signals.states
         nothing = 0.0 * signals.one
         resets = (position + self.time_constant * velocity, nothing, nothing)
-        rest = Transition(EventKind.REST, RESTING, resets, (0, 0))
-        return (EventFunction(share - SETTLED * signals.one, rest, rest),)
+        rest = ModeChange(EventKind.REST, RESTING, resets, (0, 0))
+        return (ComponentFunction(share - SETTLED * signals.one, rest, rest),)
 
     def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
         """Start at rest in the gap, or in contact where the requested output, m, would lie outside of it."""

@@ -10,12 +10,12 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.loops.components.switched_component import (
     Component,
-    EventFunction,
+    ComponentFunction,
     EventKind,
     Explicit,
+    ModeChange,
     OutputLaw,
     Signals,
-    Transition,
 )
 
 BETWEEN, ABOVE, BELOW = range(3)
@@ -51,7 +51,7 @@ class CornerComponent(Component):
         step = (self.inner_slope - self.outer_slope) * self.threshold
         return Explicit(self.outer_slope, (), step if mode == ABOVE else -step)
 
-    def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[EventFunction, ...]:
+    def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[ComponentFunction, ...]:
         """Return the distances of the input from the thresholds, positive on the side of the mode."""
         limit = self.threshold * signals.one
         if mode == BETWEEN:
@@ -69,11 +69,11 @@ class CornerComponent(Component):
         return (beyond if abs(input_value) > self.threshold else BETWEEN), np.zeros(0)
 
 
-def _corner(row: Reals, target: int, reached: tuple[int, ...], jumped: tuple[int, ...]) -> EventFunction:
+def _corner(row: Reals, target: int, reached: tuple[int, ...], jumped: tuple[int, ...]) -> ComponentFunction:
     """Return the event function of a corner; the input is continuous whatever the outputs of others do."""
-    return EventFunction(
+    return ComponentFunction(
         row,
-        Transition(EventKind.CORNER, target, (), reached),
-        Transition(EventKind.CORNER, target, (), jumped),
+        ModeChange(EventKind.CORNER, target, (), reached),
+        ModeChange(EventKind.CORNER, target, (), jumped),
         continuous=1,
     )

@@ -10,13 +10,13 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.loops.components.switched_component import (
     Component,
+    ComponentFunction,
     Constrained,
-    EventFunction,
     EventKind,
     Explicit,
+    ModeChange,
     OutputLaw,
     Signals,
-    Transition,
 )
 
 PLUS, MINUS, HELD = range(3)
@@ -91,29 +91,29 @@ class RelayComponent(Component):
         """Return s: the input, or its rate for friction."""
         return signals.input_rate if self.of_rate else signals.input
 
-    def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[EventFunction, ...]:
+    def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[ComponentFunction, ...]:
         """Return s with its sign, or the distances of the holding output from its limits."""
         if mode == HELD:
             return self._limits(signals)
         side, other = (1.0, MINUS) if mode == PLUS else (-1.0, PLUS)
-        reverse, jump = (Transition(EventKind.SWITCH, other, (), (zeros,)) for zeros in (1, 0))
-        stick = Transition(EventKind.STICK, HELD, (), (0, 0))
+        reverse, jump = (ModeChange(EventKind.SWITCH, other, (), (zeros,)) for zeros in (1, 0))
+        stick = ModeChange(EventKind.STICK, HELD, (), (0, 0))
         switching = side * self.switching_function(signals)
-        return (EventFunction(switching, stick if attracting else reverse, jump, continuous=1),)
+        return (ComponentFunction(switching, stick if attracting else reverse, jump, continuous=1),)
 
-    def _limits(self, signals: Signals) -> tuple[EventFunction, EventFunction]:
+    def _limits(self, signals: Signals) -> tuple[ComponentFunction, ComponentFunction]:
         """Return the distances of the holding output from its limits."""
         most = self.static * signals.one
         return (
-            EventFunction(most - signals.output, *self.slip(forwards=True)),
-            EventFunction(most + signals.output, *self.slip(forwards=False)),
+            ComponentFunction(most - signals.output, *self.slip(forwards=True)),
+            ComponentFunction(most + signals.output, *self.slip(forwards=False)),
         )
 
-    def slip(self, forwards: bool) -> tuple[Transition, Transition]:
+    def slip(self, forwards: bool) -> tuple[ModeChange, ModeChange]:
         """Return what follows where the holding output reaches a limit, and where it is beyond it at once."""
         target = PLUS if forwards else MINUS
         known = 1 if self.drops else 2
-        return Transition(EventKind.SLIP, target, (), (known,)), Transition(EventKind.SLIP, target, (), (1,))
+        return ModeChange(EventKind.SLIP, target, (), (known,)), ModeChange(EventKind.SLIP, target, (), (1,))
 
     def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
         """Start with the sign of s, held where s is zero; there are no states and no output to choose."""

@@ -86,7 +86,7 @@ class Signals:
 
 
 @dataclass(frozen=True)
-class Transition:
+class ModeChange:
     """Where an event function leads.
 
     Attributes:
@@ -104,7 +104,7 @@ class Transition:
 
 
 @dataclass(frozen=True)
-class EventFunction:
+class ComponentFunction:
     """A row that is positive while the mode lasts.
 
     Attributes:
@@ -117,8 +117,8 @@ class EventFunction:
     """
 
     row: Reals
-    reached: Transition
-    jumped: Transition
+    reached: ModeChange
+    jumped: ModeChange
     continuous: int = 0
 
 
@@ -184,7 +184,7 @@ class Component(ABC):
         """Return the row that a constrained output holds at zero, or whose sign selects the first mode."""
         return signals.input
 
-    def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[EventFunction, ...]:
+    def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[ComponentFunction, ...]:
         """Return the event functions of a mode; attracting if a constrained output could hold it."""
         return ()
 

@@ -10,12 +10,12 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.loops.components.switched_component import (
     Component,
-    EventFunction,
+    ComponentFunction,
     EventKind,
     Explicit,
+    ModeChange,
     OutputLaw,
     Signals,
-    Transition,
 )
 
 SILENT, POSITIVE, NEGATIVE = range(3)
@@ -68,7 +68,7 @@ class ThresholdComponent(Component):
         """Return the level with its sign, or zero."""
         return Explicit(0.0, (), (0.0, self.level, -self.level)[mode])
 
-    def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[EventFunction, ...]:
+    def event_functions(self, mode: int, signals: Signals, attracting: bool) -> tuple[ComponentFunction, ...]:
         """Return the distances of the input from where the output changes."""
         if mode == SILENT:
             limit = self.on * signals.one
@@ -81,13 +81,13 @@ class ThresholdComponent(Component):
         row = side * signals.input - self.off * signals.one
         return (self._switch(row, SILENT if self.has_dead_zone else other, mode == NEGATIVE),)
 
-    def _switch(self, row: Reals, target: int, negative: bool = False) -> EventFunction:
+    def _switch(self, row: Reals, target: int, negative: bool = False) -> ComponentFunction:
         """Return an event function; where there is no hysteresis that of the way back is zero then, too."""
         zero = 1 if self.slides else 0
         known = (zero,) if target != SILENT else (0, zero) if negative else (zero, 0)
         unknown = (0,) * len(known)
-        reached, jumped = (Transition(EventKind.SWITCH, target, (), zeros) for zeros in (known, unknown))
-        return EventFunction(row, reached, jumped, continuous=1)
+        reached, jumped = (ModeChange(EventKind.SWITCH, target, (), zeros) for zeros in (known, unknown))
+        return ComponentFunction(row, reached, jumped, continuous=1)
 
     def initial(self, input_value: float, switching_value: float, output: float) -> tuple[int, Reals]:
         """Start with the output that is asked for, or silent, or with the sign of the input."""
