@@ -11,7 +11,6 @@ from trimmer.arrays import Flags, Reals
 from trimmer.branches.branch import BranchEnd
 from trimmer.branches.follow import follow
 from trimmer.branches.followed import FollowedBranch, FollowedOrbit
-from trimmer.branches.outputs import OutputMeasure
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind
 from trimmer.deadline import NEVER, Deadline
@@ -176,7 +175,10 @@ def path_through(
 def _side(branch: FollowedBranch, end: float, keys: tuple[str, ...]) -> PathSide:
     names = list(branch.units)
     # Each orbit keeps its whole motion once it was measured: hundreds of them would fill the memory.
-    found = [_measured(FollowedOrbit(point.point, point.map), keys) for point in branch.points]
+    found = [
+        (orbit.outputs, [orbit.measure(key) for key in keys])
+        for orbit in (FollowedOrbit(point.point, point.map) for point in branch.points)
+    ]
     strokes = [{name: outputs[name].peak_to_peak for name in names} for outputs, _ in found]
     special = tuple(
         SpecialOnPath(
@@ -197,9 +199,3 @@ def _side(branch: FollowedBranch, end: float, keys: tuple[str, ...]) -> PathSide
         branch.message,
         {key: np.array([measures[at] for _, measures in found]) for at, key in enumerate(keys)},
     )
-
-
-def _measured(
-    orbit: FollowedOrbit, keys: tuple[str, ...]
-) -> tuple[Mapping[str, OutputMeasure], tuple[float, ...]]:
-    return orbit.outputs, tuple(orbit.measure(key) for key in keys)

@@ -112,7 +112,8 @@ class _Candidate:
         factors, self.margin = self.forecast.best(self.offset, tuple(self.avoided))
         scans = self.forecast.scans
         rounded = tuple(
-            (scan.place, _rounded(scan.value * math.exp(at))) for scan, at in zip(scans, factors, strict=True)
+            (scan.place, float(f"{scan.value * math.exp(at):.{DIGITS}g}"))
+            for scan, at in zip(scans, factors, strict=True)
         )
         exact = [math.log(value / scan.value) for scan, (_, value) in zip(scans, rounded, strict=True)]
         return rounded, np.array(exact)
@@ -293,7 +294,3 @@ def _factors(place: str, each_side: int) -> Reals:
 def _from_the_middle(count: int) -> list[int]:
     middle = count // 2
     return sorted(range(count), key=lambda at: abs(at - middle))
-
-
-def _rounded(value: float) -> float:
-    return float(f"{value:.{DIGITS}g}")

@@ -19,7 +19,6 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.mechanism.quantities import PARTS, Range
 from trimmer.response.forced_orbit import exact_orbit
-from trimmer.response.orbit import Orbit
 
 STEP = 1e-3
 """Change of a number, relative."""
@@ -192,8 +191,4 @@ def _measures(
         orbit = exact_orbit(changed, motion.period_count or 1, motion.state)
     except (TrimmerError, ArithmeticError, np.linalg.LinAlgError):
         return None
-    return {each: _of(orbit, each) for each in asked} if orbit.success else None
-
-
-def _of(orbit: Orbit, asked: MeasureOfPart) -> float:
-    return measured(orbit.measures, asked, orbit.period_count)
+    return None if not orbit.success else {a: measured(orbit.measures, a, orbit.period_count) for a in asked}

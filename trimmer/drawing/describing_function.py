@@ -35,7 +35,7 @@ def draw_describing_function(element: Element, axes: Axes, omega: float | None =
     axes.set_ylim(bottom=0.0)
     phases = axes.twinx()
     phases.set_ylabel("phase of N (dashed), degrees")
-    degrees = _degrees(gain)
+    degrees = np.degrees(np.unwrap(np.angle(gain)))
     phases.semilogx(amplitude, degrees, **line(1))
     phases.set_ylim(min(float(degrees.min()), 0.0) - MARGIN, max(float(degrees.max()), 0.0) + MARGIN)
 
@@ -49,10 +49,6 @@ def amplitudes_of(element: Element, omega: float | None) -> Reals:
     smallest = scale / largest
     near = smallest * (1.0 + np.geomspace(1e-6, 0.1, POINTS // 4))
     return np.concatenate([near, np.geomspace(1.1 * smallest, LARGEST * smallest, POINTS)[1:]])
-
-
-def _degrees(gain: Complexes) -> Reals:
-    return np.degrees(np.unwrap(np.angle(gain)))
 
 
 @draw.register(ElementLocus)

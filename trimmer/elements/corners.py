@@ -44,6 +44,9 @@ class CornerElement(Element):
     threshold: float
     slope: float = 1.0
 
+    constant_from = 1.0
+    """1: an amplitude below the threshold never reaches a corner."""
+
     def __post_init__(self) -> None:
         positive_number("threshold", self.threshold, "unit of the input")
         positive_number("slope", self.slope, "output per input")
@@ -52,11 +55,6 @@ class CornerElement(Element):
     def amplitude_scale(self) -> float:
         """The threshold, in the unit of the input: N depends on threshold/amplitude alone."""
         return self.threshold
-
-    @property
-    def constant_from(self) -> float:
-        """1: an amplitude below the threshold never reaches a corner."""
-        return 1.0
 
     def _sensitivity(self, u: Limits, omega: Limits) -> Bounds:
         """Return (4/π) slope cos α at the lowest u, as |dN/du| falls with u; and 0 for |dN/d(ln omega)|."""

@@ -43,6 +43,8 @@ class ThresholdRelay(Element):
     dead_zone: float
     hysteresis: float
 
+    _has_reach = True
+
     @property
     def on(self) -> float:
         """Input at which the rising output reaches the level."""
@@ -164,10 +166,6 @@ class ThresholdRelay(Element):
             steepness = np.sqrt(4.0 + np.tan(last) ** 2) / np.cos(last)
             total += (np.abs(last - first) + _ROUNDING) * steepness
         return ROUNDED_UP * self._size * total, 0.0
-
-    @property
-    def _has_reach(self) -> bool:
-        return True
 
     def _reach(self, u: Limits, omega: Limits) -> Reals:
         """Bound how far N is from its value in the middle of two u, by the chords of the two circles."""

@@ -27,10 +27,7 @@ class UnboundedElement(Element):
     harmonic balance searches a grid, and says that nothing is proven.
     """
 
-    @property
-    def has_bounds(self) -> bool:
-        """False."""
-        return False
+    has_bounds = False
 
     @abstractmethod
     def _period(self, phases: Reals, amplitude: float, omega: float) -> Reals:

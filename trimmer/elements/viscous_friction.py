@@ -27,18 +27,13 @@ class ViscousFriction(Element):
 
     damping: float
 
+    depends_on_frequency = True
+    """True: N = j omega damping."""
+    amplitude_scale = 1.0
+    """1: a linear element has no amplitude of its own."""
+
     def __post_init__(self) -> None:
         positive_number("damping", self.damping, "N s/m")
-
-    @property
-    def depends_on_frequency(self) -> bool:
-        """True: N = j omega damping."""
-        return True
-
-    @property
-    def amplitude_scale(self) -> float:
-        """1: a linear element has no amplitude of its own."""
-        return 1.0
 
     def _sensitivity(self, u: Limits, omega: Limits) -> Bounds:
         """Return 0 for |dN/du|, and the damping times the upper omega for |dN/d(ln omega)|, N/m."""

@@ -152,13 +152,9 @@ def _first(names: Iterable[str]) -> str:
 def _where(judged: Judgement) -> str:
     several = len({each.output for each in judged.excesses}) > 1
     named = [
-        f"{_order(each.order)}{f' of {each.output}' if several else ''} ({each.ratio:.3g} deviations)"
+        f"{Fraction(*each.order)}{f' of {each.output}' if several else ''} ({each.ratio:.3g} deviations)"
         for each in judged.excesses[:NAMED]
     ]
     more = len(judged.excesses) - len(named)
     word = "harmonic" if len(named) == 1 else "harmonics"
     return f"at {word} {listed(named)}{f', and {more} more' if more else ''}"
-
-
-def _order(order: tuple[int, int]) -> str:
-    return str(Fraction(*order))

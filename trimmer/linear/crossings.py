@@ -131,7 +131,9 @@ def _crossings_of_zero(function: Callable[[float], float], breaks: list[float]) 
 def _half_turns(factored: ZeroPoleGain, lower: float, upper: float) -> Iterator[tuple[float, int]]:
     """Yield (omega, k) where the phase passes k pi between two breaks, in order of frequency."""
     inside = math.sqrt(lower) * math.sqrt(upper)
-    jumps = ZeroPoleGain(1.0, *(_on_axis(roots) for roots in (factored.zeros, factored.poles)))
+    jumps = ZeroPoleGain(
+        1.0, *(tuple(r for r in roots if r.real == 0) for roots in (factored.zeros, factored.poles))
+    )
     offset = float(jumps.phase(inside))
 
     def phase(omega: float) -> float:
@@ -147,7 +149,3 @@ def _half_turns(factored: ZeroPoleGain, lower: float, upper: float) -> Iterator[
 
 def _phase_beyond(phase: Callable[[float], float], half_turns: int, omega: float) -> float:
     return phase(omega) - half_turns * math.pi
-
-
-def _on_axis(roots: tuple[complex, ...]) -> tuple[complex, ...]:
-    return tuple(root for root in roots if root.real == 0)

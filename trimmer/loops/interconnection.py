@@ -161,6 +161,23 @@ class StateLayout:
     drives: tuple[Drive, ...]
     following: tuple[int, ...] = ()
 
+    ramp = False
+    """Time itself forces no loop."""
+    recurrence = 1
+    """All drives return together after one period, if at all."""
+    holding = slice(0, 0)
+    """Nothing samples a loop."""
+    drifts = False
+    """Each period of the drives is as the others."""
+    breaks = ()
+    """Nothing forces a loop but its drives."""
+    travels = False
+    """Nor do its states move with a frame."""
+    rates = ()
+    """It is not known which are rates of others."""
+    measured_between = True
+    """A relay switches where its input is zero, so that states say little there."""
+
     @classmethod
     def of(cls, interconnection: Interconnection) -> StateLayout:
         """Return the layout of an interconnection: plant, components, drives, one."""
@@ -192,34 +209,9 @@ class StateLayout:
         """Period that the drives have in common, s; 0 without one."""
         return 2.0 * np.pi / self.omega if self.omega else 0.0
 
-    @property
-    def ramp(self) -> bool:
-        """Time itself forces no loop."""
-        return False
-
-    @property
-    def recurrence(self) -> int:
-        """All drives return together after one period, if at all."""
-        return 1
-
-    @property
-    def holding(self) -> slice:
-        """Nothing samples a loop."""
-        return slice(0, 0)
-
     def clock(self, periods: int, phase: float) -> float:
         """Return the time that the drives count, s, at a phase, s, after some periods."""
         return phase
-
-    @property
-    def drifts(self) -> bool:
-        """Each period of the drives is as the others."""
-        return False
-
-    @property
-    def breaks(self) -> tuple[float, ...]:
-        """Nothing forces a loop but its drives."""
-        return ()
 
     def changes_after(self, time: float) -> bool:
         """Nothing forces a loop but its drives."""
@@ -234,11 +226,6 @@ class StateLayout:
     def independent(self) -> Places:
         """Places of all states but the share of a velocity that is left, on which nothing depends."""
         return np.delete(np.arange(self.sine), self.following)
-
-    @property
-    def travels(self) -> bool:
-        """Nor do its states move with a frame."""
-        return False
 
     @property
     def omega(self) -> float:
@@ -284,16 +271,6 @@ class StateLayout:
     def lengths(self) -> Reals:
         """States are compared as they are."""
         return np.ones(self.sine)
-
-    @property
-    def rates(self) -> tuple[slice, ...]:
-        """It is not known which are rates of others."""
-        return ()
-
-    @property
-    def measured_between(self) -> bool:
-        """A relay switches where its input is zero, so that states say little there."""
-        return True
 
     def felt(self, distances: Reals) -> Reals:
         """Return distances of states, (n, columns), as they are."""

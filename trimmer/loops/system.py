@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from trimmer.arrays import Integers, Places, Reals
+from trimmer.arrays import Places, Reals
 from trimmer.hybrid.system import (
     AT_LIMIT,
     HOLD_BEGUN,
@@ -49,6 +49,15 @@ class LoopSystem:
     interconnection: Interconnection
     _assembled: dict[tuple[int, ...], LoopMode] = field(default_factory=dict, init=False, repr=False)
 
+    kind_count = OWN_KINDS + 4
+    """Number of kinds of events, and of what counts as none."""
+    action_count = OWN_ACTIONS + FUNCTIONS_OF_COMPONENT
+    """Number of actions that event functions of one component can have."""
+    decaying_states = np.zeros(0, dtype=np.int64)
+    """No state decays by itself."""
+    scales = np.zeros(0)
+    """Nor has one a size below which it is negligible."""
+
     @property
     def clockwork(self) -> None:
         """Nothing samples a loop."""
@@ -67,26 +76,6 @@ class LoopSystem:
     def part_count(self) -> int:
         """Number of components."""
         return len(self.interconnection.components)
-
-    @property
-    def kind_count(self) -> int:
-        """Number of kinds of events, and of what counts as none."""
-        return OWN_KINDS + 4
-
-    @property
-    def action_count(self) -> int:
-        """Number of actions that event functions of one component can have."""
-        return OWN_ACTIONS + FUNCTIONS_OF_COMPONENT
-
-    @property
-    def decaying_states(self) -> Integers:
-        """No state decays by itself."""
-        return np.zeros(0, dtype=np.int64)
-
-    @property
-    def scales(self) -> Reals:
-        """Nor has one a size below which it is negligible."""
-        return np.zeros(0)
 
     def mode(self, statuses: tuple[int, ...]) -> LoopMode:
         """Return the mode in which each component is in a given mode, assembled on first use."""

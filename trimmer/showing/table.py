@@ -70,9 +70,5 @@ def over_time(title: str, times: Any, signals: Mapping[str, tuple[str, Any]]) ->
     return Table(title, range(len(times)), arrays(time=("s", times), **named))
 
 
-def _energy(term: tuple[str, float]) -> float:
-    return term[1]
-
-
-TERMS = (Column("term", "", itemgetter(0)), Column("energy", "J", _energy))
+TERMS = (Column("term", "", itemgetter(0)), Column("energy", "J", itemgetter(1)))
 """Columns of an energy balance, whose rows are names and energies."""

@@ -27,7 +27,6 @@ from trimmer.messages import near_match
 if TYPE_CHECKING:
     from trimmer.loops.trimmer_loop import TrimmerLoop
     from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.signals.signal import Signal
 
 DRIVE_HELP = (
     "frequency of the drive: of a mechanism that in the measurement (default: found within 3 %% of the "
@@ -145,13 +144,10 @@ def _recordings(arguments: Namespace, outputs: list[str]) -> dict[str, ChosenRec
         if arguments.measured == STANDARD_INPUT:
             raise OptionError("several columns cannot be read from standard input: name a file")
     found = {name: chosen_recording(_reading(arguments, column)) for name, column in columns.items()}
-    if len({_times(each.signal) for each in found.values()}) > 1:
+    times = {(s.start, s.sample_rate, s.values.size) for s in (each.signal for each in found.values())}
+    if len(times) > 1:
         raise OptionError(f"{arguments.measured}: the columns have unlike times, because values are missing")
     return found
-
-
-def _times(signal: Signal) -> tuple[float, float, int]:
-    return signal.start, signal.sample_rate, signal.values.size
 
 
 def _reading(arguments: Namespace, chosen: str | None) -> Namespace:

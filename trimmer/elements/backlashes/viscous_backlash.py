@@ -35,14 +35,11 @@ class ViscousBacklash(Backlash):
 
     time_constant: float
 
+    depends_on_frequency = True
+
     def __post_init__(self) -> None:
         super().__post_init__()
         require_not_negative("time_constant", self.time_constant, "s")
-
-    @property
-    def depends_on_frequency(self) -> bool:
-        """True: N depends on gamma = omega M/D."""
-        return True
 
     def small_gains(self) -> SmallGains:
         """Tell that N is small only where gamma is, and then as with friction-controlled backlash."""

@@ -45,15 +45,10 @@ class BacklashComponent(Component):
     gap: float
     time_constant: float
 
-    @property
-    def name(self) -> str:
-        """Name of the component in events: backlash."""
-        return "backlash"
-
-    @property
-    def mode_names(self) -> tuple[str, ...]:
-        """Names of the modes by number: ``FREE``, ``UPPER``, ``LOWER``, ``RESTING``."""
-        return ("free", "upper contact", "lower contact", "at rest in the gap")
+    name = "backlash"
+    """Name of the component in events: backlash."""
+    mode_names = ("free", "upper contact", "lower contact", "at rest in the gap")
+    """Names of the modes by number: ``FREE``, ``UPPER``, ``LOWER``, ``RESTING``."""
 
     @property
     def slows_down(self) -> bool:

@@ -30,15 +30,13 @@ class CornerComponent(Component):
     inner_slope: float
     outer_slope: float
 
+    mode_names = ("between the thresholds", "above", "below")
+    """Names of the modes by number: ``BETWEEN``, ``ABOVE``, ``BELOW``."""
+
     @property
     def name(self) -> str:
         """Name of the component in events: saturation or dead zone."""
         return "dead zone" if self.inner_slope == 0 else "saturation"
-
-    @property
-    def mode_names(self) -> tuple[str, ...]:
-        """Names of the modes by number: ``BETWEEN``, ``ABOVE``, ``BELOW``."""
-        return ("between the thresholds", "above", "below")
 
     def mirrored(self, mode: int) -> int:
         """Return the mode of the mirrored motion: above and below change places."""

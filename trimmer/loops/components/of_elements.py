@@ -34,10 +34,8 @@ from trimmer.loops.components.threshold_component import ThresholdComponent
 class RigidComponent(Component):
     """A pin without backlash: the output is the input."""
 
-    @property
-    def name(self) -> str:
-        """Name of the component: rigid pin; it has no events."""
-        return "rigid pin"
+    name = "rigid pin"
+    """Name of the component: rigid pin; it has no events."""
 
     def output_law(self, mode: int) -> OutputLaw:
         """Return the law output = input."""
@@ -51,15 +49,10 @@ class ViscousComponent(Component):
 
     coefficient: float
 
-    @property
-    def name(self) -> str:
-        """Name of the component: viscous friction; it has no events."""
-        return "viscous friction"
-
-    @property
-    def output_jumps(self) -> bool:
-        """True: the output jumps with the rate of the input."""
-        return True
+    name = "viscous friction"
+    """Name of the component: viscous friction; it has no events."""
+    output_jumps = True
+    """True: the output jumps with the rate of the input."""
 
     def output_law(self, mode: int) -> OutputLaw:
         """Return the law output = coefficient * rate of the input."""
@@ -79,7 +72,7 @@ def components_of(element: Element, of_velocity: bool = False) -> list[tuple[Com
         case ViscousFriction() if of_velocity:
             return [(RigidComponent(), element.damping)]
         case CoulombFriction():
-            return [(_friction(element, of_velocity), 1.0)]
+            return [(RelayComponent(element.force, not of_velocity, element.breakaway, of_velocity), 1.0)]
         case ElementAtFrequency():
             raise UnsupportedMotionError(
                 f"{element!r} is frozen at a frequency; its motion is that of {element.element!r}"
@@ -105,10 +98,6 @@ def _component(element: Element) -> Component:
             return ViscousComponent(element.damping)
     reason = ": it is known by its output over a period only" if isinstance(element, UnboundedElement) else ""
     raise UnsupportedMotionError(f"{element!r} has no description in time{reason}")
-
-
-def _friction(friction: CoulombFriction, of_velocity: bool) -> Component:
-    return RelayComponent(friction.force, not of_velocity, friction.breakaway, of_velocity)
 
 
 def _relay(relay: Relay) -> Component:

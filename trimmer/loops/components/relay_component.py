@@ -44,6 +44,11 @@ class RelayComponent(Component):
     static: float = 0.0
     of_velocity: bool = False
 
+    mode_names = ("plus", "minus", "held")
+    """Names of the modes by number: ``PLUS``, ``MINUS``, ``HELD``."""
+    output_jumps = True
+    """True: the output changes its sign at once."""
+
     def __post_init__(self) -> None:
         object.__setattr__(self, "static", max(self.static, self.level))
 
@@ -61,16 +66,6 @@ class RelayComponent(Component):
     def name(self) -> str:
         """Name of the component in events: friction or relay."""
         return "friction" if self.rubs else "relay"
-
-    @property
-    def mode_names(self) -> tuple[str, ...]:
-        """Names of the modes by number: ``PLUS``, ``MINUS``, ``HELD``."""
-        return ("plus", "minus", "held")
-
-    @property
-    def output_jumps(self) -> bool:
-        """True: the output changes its sign at once."""
-        return True
 
     @property
     def continuous_rates(self) -> int:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from enum import Enum
+from typing import ClassVar
 
 import numpy as np
 
@@ -128,15 +129,15 @@ class Component(ABC):
     The defaults are those of a component without own states that does not switch.
     """
 
+    mode_names: ClassVar[tuple[str, ...]] = ("always",)
+    """Names of the modes, by number."""
+    output_jumps: ClassVar[bool] = False
+    """Whether the output can jump while the input does not."""
+
     @property
     @abstractmethod
     def name(self) -> str:
         """Name of the component in events."""
-
-    @property
-    def mode_names(self) -> tuple[str, ...]:
-        """Names of the modes, by number."""
-        return ("always",)
 
     @property
     def state_count(self) -> int:
@@ -147,11 +148,6 @@ class Component(ABC):
     def state_names(self) -> tuple[str, ...]:
         """What the own states are."""
         return ()
-
-    @property
-    def output_jumps(self) -> bool:
-        """Whether the output can jump while the input does not."""
-        return False
 
     @property
     def drops(self) -> bool:

@@ -35,20 +35,12 @@ class ThresholdComponent(Component):
     on: float
     off: float
 
-    @property
-    def name(self) -> str:
-        """Name of the component in events: relay."""
-        return "relay"
-
-    @property
-    def mode_names(self) -> tuple[str, ...]:
-        """Names of the modes by number: ``SILENT``, ``POSITIVE``, ``NEGATIVE``."""
-        return ("silent", "plus", "minus")
-
-    @property
-    def output_jumps(self) -> bool:
-        """True: the output changes at once."""
-        return True
+    name = "relay"
+    """Name of the component in events: relay."""
+    mode_names = ("silent", "plus", "minus")
+    """Names of the modes by number: ``SILENT``, ``POSITIVE``, ``NEGATIVE``."""
+    output_jumps = True
+    """True: the output changes at once."""
 
     @property
     def slides(self) -> bool:
