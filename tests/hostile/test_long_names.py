@@ -9,6 +9,11 @@ import pytest
 from tests.hostile.commands import called
 
 BODY = '[bodies]\n"NAME" = { mass = 1.0 }\n[links]\ns = { between = ["ground", "NAME"], stiffness = 1.0 }\n'
+CONTROL = """[outputs]
+x = { NAME = 1 }
+[controllers]
+LONG = { kind = "pid", measure = "x", acts = ["ground", "NAME"], kp = 1.0 }
+"""
 
 
 @pytest.mark.parametrize("command", ["respond", "design"])
@@ -16,6 +21,7 @@ BODY = '[bodies]\n"NAME" = { mass = 1.0 }\n[links]\ns = { between = ["ground", "
     ("text", "told"),
     [
         (BODY.replace("NAME", "m" * 20000), "a name of 20000 characters is too long; use at most 300"),
+        (BODY + CONTROL.replace("LONG", "c" * 400), "a name of 400 characters is too long; use at most 300"),
         (f'title = "{"t" * 20000}"\n{BODY}', "title = 'ttt"),
     ],
 )

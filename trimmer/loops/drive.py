@@ -8,11 +8,7 @@ from dataclasses import dataclass
 from typing import final
 
 from trimmer.arguments import finite_number
-
-MOST_PERIODS = 64
-"""Periods of the slowest drive after which all phases must have returned; else nothing repeats with them."""
-RETURNED = 1e-9
-"""Share of a turn by which a phase may miss its return."""
+from trimmer.ties import common_return
 
 
 @final
@@ -77,8 +73,7 @@ def _checked(name: str, value: object, unit: str) -> float:
 def common_omega(drives: Sequence[Drive]) -> tuple[float, tuple[int, ...]] | None:
     """Return what the omegas, rad/s, of drives are multiples of, and which; None of nothing, 0 of none."""
     slowest = min((drive.omega for drive in drives), default=0.0)
-    for count in range(1, MOST_PERIODS + 1):
-        turns = [count * (drive.omega / slowest) for drive in drives]
-        if all(abs(each - round(each)) <= RETURNED for each in turns):
-            return slowest / count, tuple(round(each) for each in turns)
-    return None
+    if (found := common_return([drive.omega / slowest for drive in drives])) is None:
+        return None
+    periods, turns = found
+    return slowest / periods, turns

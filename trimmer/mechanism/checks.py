@@ -15,16 +15,13 @@ from trimmer.mechanism.controls import checks as control_checks
 from trimmer.mechanism.kinds import Kind, kind_of_part, kinds_of, numbers_of_part, numbers_of_start
 from trimmer.mechanism.outputs import problems_of_kind
 from trimmer.mechanism.parts import ContactLaw, Force, Output, Pin, Point
-from trimmer.mechanism.problems import NOTHING, Problem
-from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, WEIGHT, NumberField
+from trimmer.mechanism.problems import Problem, problems_of_name
+from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, WEIGHT
 from trimmer.mechanism.structures.structure import Structure
 from trimmer.mechanism.waves import problems_of_waveform
 
-LONGEST_NAME = 300
-"""Characters of a name; each is repeated in every table and message."""
 LONGEST_TITLE = 1000
 """Characters of a title, and of who wrote a file."""
-_SHOWN = 40
 _SYMBOL_RULE = 'a symbol is a letter or a name, perhaps with an index, as in "k_2" or "k_bridge"'
 
 _LETTER = "A-Za-zΑ-Ωα-ω"
@@ -49,7 +46,7 @@ def problems_of_types(content: Content) -> Iterator[Problem]:
             )
             continue
         for name, part in parts.items():
-            yield from _name((section,), name)
+            yield from problems_of_name((section,), name)
             if type(part) is kind:
                 yield from _fields((section, str(name)), part, kinds)
                 if isinstance(part, Structure):
@@ -71,24 +68,14 @@ def _heading(content: Content) -> Iterator[Problem]:
     elif len(title) > LONGEST_TITLE:
         yield Problem(("title",), f"is too long; use at most {LONGEST_TITLE} characters", title)
     if frequency is not None:
-        yield from _number(("frequency",), frequency, FREQUENCY)
+        yield from FREQUENCY.problems(("frequency",), frequency)
     drives = content["drives"]
     if not isinstance(drives, Mapping):
         yield Problem(("drives",), "must map names to frequencies in Hz", drives)
         return
     for name, each in drives.items():
-        yield from _name(("drives",), name)
-        yield from _number(("drives", str(name)), each, FREQUENCY)
-
-
-def _name(section: tuple[str, ...], name: object) -> Iterator[Problem]:
-    if not isinstance(name, str):
-        yield Problem(section, f"a name must be text, not {name!r}")
-    elif not name or not name.isprintable() or name != name.strip():
-        yield Problem((*section, name), "a name must be text on one line, without spaces around it")
-    elif len(name) > LONGEST_NAME:
-        place = (*section, f"{name[:_SHOWN]}...")
-        yield Problem(place, f"a name of {len(name)} characters is too long; use at most {LONGEST_NAME}")
+        yield from problems_of_name(("drives",), name)
+        yield from FREQUENCY.problems(("drives", str(name)), each)
 
 
 def _fields(place: tuple[str, str], part: object, kinds: Mapping[str, Kind]) -> Iterator[Problem]:
@@ -100,7 +87,7 @@ def _fields(place: tuple[str, str], part: object, kinds: Mapping[str, Kind]) -> 
             yield Problem(there, "missing; add force = 0.5")
         elif each.name in quantities:
             if value is not None or each.name not in OPTIONAL_NUMBERS:
-                yield from _number(there, value, numbers.get(each.name, quantities[each.name]))
+                yield from numbers.get(each.name, quantities[each.name]).problems(there, value)
         elif each.name not in rows:
             yield from _word(there, value)
         elif value is not None:
@@ -147,7 +134,7 @@ def _sums(section: str, kind: type[Output | Point], sums: object) -> Iterator[Pr
         yield Problem((section,), f"must map names to instances of trimmer.mechanism.{kind.__name__}", sums)
         return
     for name, each in sums.items():
-        yield from _name((section,), name)
+        yield from problems_of_name((section,), name)
         place = (section, str(name))
         if not isinstance(each, kind) or type(each) is not kind or not isinstance(each.weights, Mapping):
             reason = f"give a trimmer.mechanism.{kind.__name__} with a mapping of weights"
@@ -159,8 +146,8 @@ def _sums(section: str, kind: type[Output | Point], sums: object) -> Iterator[Pr
         if not isinstance(by_length, bool):
             yield Problem((*place, "by_length"), "must be True or False", by_length)
         for body, weight in each.weights.items():
-            yield from _name(place, body)
-            yield from _number((*place, str(body)), weight, WEIGHT)
+            yield from problems_of_name(place, body)
+            yield from WEIGHT.problems((*place, str(body)), weight)
 
 
 def _start(start: object, kinds: Mapping[str, Kind]) -> Iterator[Problem]:
@@ -168,7 +155,7 @@ def _start(start: object, kinds: Mapping[str, Kind]) -> Iterator[Problem]:
         yield Problem(("start",), "must map bodies to [displacement in m, velocity in m/s]", start)
         return
     for body, state in start.items():
-        yield from _name(("start",), body)
+        yield from problems_of_name(("start",), body)
         place = ("start", str(body))
         numbers = numbers_of_start(kinds, body)
         if not _is_pair(state):
@@ -183,9 +170,3 @@ def _start(start: object, kinds: Mapping[str, Kind]) -> Iterator[Problem]:
 
 def _is_pair(value: object) -> bool:
     return isinstance(value, list | tuple) and len(value) == 2
-
-
-def _number(place: tuple[str, ...], value: object, quantity: NumberField) -> Iterator[Problem]:
-    if reason := quantity.reason_against(value):
-        missing = value is None
-        yield Problem(place, f"missing; {reason}" if missing else reason, NOTHING if missing else value)

@@ -11,11 +11,10 @@ from trimmer.mechanism.controls.references import SineReference
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Force, Pin
 from trimmer.mechanism.waves import Wave, is_driven, waves_of
+from trimmer.ties import MOST_TURNS, common_return
 
-RETURNS = 64
+RETURNS = MOST_TURNS
 """Periods of the frequency after which all drives return together at most."""
-A_TURN = 1e-9
-"""Share of a turn by which a phase may miss its return."""
 
 
 def drive_frequency(mechanism: Mechanism) -> float | None:
@@ -67,11 +66,10 @@ def drives_of(mechanism: Mechanism) -> Drives:
     ratios |= {name: each / frequency for name, each in (sines | clocks).items() if each != frequency}
     if not ratios:
         return Drives(1, {})
-    for periods in range(1, RETURNS + 1):
-        turns = {name: round(periods * ratio) for name, ratio in ratios.items()}
-        if all(turns[name] and abs(periods * each - turns[name]) <= A_TURN for name, each in ratios.items()):
-            return Drives(periods, {name: each / periods for name, each in turns.items()})
-    return Drives(0, ratios)
+    if (found := common_return(list(ratios.values()))) is None:
+        return Drives(0, ratios)
+    periods, turns = found
+    return Drives(periods, {name: each / periods for name, each in zip(ratios, turns, strict=True)})
 
 
 def waves_of_sine(mechanism: Mechanism, name: str) -> tuple[Wave, ...]:

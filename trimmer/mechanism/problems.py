@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any
 
 from trimmer.mechanism.place_text import place_text
 from trimmer.messages import in_lines, listed, near_match, shown_value
+
+LONGEST_NAME = 300
+"""Characters of a name; each is repeated in every table and message."""
+_SHOWN = 40
 
 
 class _Nothing(Enum):
@@ -38,6 +42,17 @@ class Problem:
         value = self.value if self.value is NOTHING or written is NOTHING else written
         shown = "" if value is NOTHING else f" = {shown_value(value)}"
         return f"{place_text(self.place)}{shown}: {self.reason}" if self.place else self.reason
+
+
+def problems_of_name(section: tuple[str, ...], name: object) -> Iterator[Problem]:
+    """Find what is wrong with the name of a part."""
+    if not isinstance(name, str):
+        yield Problem(section, f"a name must be text, not {name!r}")
+    elif not name or not name.isprintable() or name != name.strip():
+        yield Problem((*section, name), "a name must be text on one line, without spaces around it")
+    elif len(name) > LONGEST_NAME:
+        place = (*section, f"{name[:_SHOWN]}...")
+        yield Problem(place, f"a name of {len(name)} characters is too long; use at most {LONGEST_NAME}")
 
 
 def as_message(problems: Sequence[Problem]) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from numbers import Real
@@ -11,7 +11,7 @@ from types import MappingProxyType
 
 from trimmer.arguments import scalar
 from trimmer.mechanism.parts import Body, Force, Friction, Link, Pin, Play, Stop, Wall
-from trimmer.mechanism.problems import NOTHING
+from trimmer.mechanism.problems import NOTHING, Problem
 from trimmer.mechanism.structures.structure import Structure
 from trimmer.mechanism.units import quantity
 
@@ -69,6 +69,12 @@ class NumberField:
             Range.TO_INFINITY: number > 0,
         }[self.range]
         return "" if fits else f"must be {self.range.value}{self._in_unit}"
+
+    def problems(self, place: tuple[str, ...], value: object) -> Iterator[Problem]:
+        """Find what is wrong with a value at a place; None is one that is missing."""
+        if reason := self.reason_against(value):
+            missing = value is None
+            yield Problem(place, f"missing; {reason}" if missing else reason, NOTHING if missing else value)
 
     def read(self, text: str) -> float:
         """Return the number of a text in the SI unit."""

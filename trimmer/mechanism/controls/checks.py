@@ -16,7 +16,7 @@ from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.parts import GROUND, OutputKind
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.points import ends_in
-from trimmer.mechanism.problems import NOTHING, Problem, no_such
+from trimmer.mechanism.problems import NOTHING, Problem, no_such, problems_of_name
 from trimmer.mechanism.quantities import NumberField
 from trimmer.mechanism.structures.ends import coordinates_in, no_such_end, points_in
 
@@ -76,10 +76,8 @@ def problems_of_types(content: Mapping[str, Any], kinds: Mapping[str, Kind]) -> 
         for name, part in parts.items():
             if isinstance(part, Mapping) or kind_of(section, part) is None:
                 yield Problem((section, str(name)), f"give one of the {section} of trimmer.mechanism", part)
-            elif not isinstance(name, str) or not name or not name.isprintable() or name != name.strip():
-                yield Problem(
-                    (section, str(name)), "a name must be text on one line, without spaces around it"
-                )
+            elif wrong := list(problems_of_name((section,), name)):
+                yield from wrong
             else:
                 yield from _fields((section, name), part, numbers_of(content, kinds, section, name))
 
@@ -91,7 +89,7 @@ def _fields(place: tuple[str, str], part: Any, numbers: Mapping[str, NumberField
             yield from _rows(there, value, numbers)
         elif each.name in numbers:
             if value is not None or each.name not in OPTIONAL:
-                yield from _number(there, value, numbers[each.name])
+                yield from numbers[each.name].problems(there, value)
         elif each.name == "acts":
             pair = value if isinstance(value, list | tuple) else ()
             if len(pair) != 2 or not all(isinstance(end, str) for end in pair):
@@ -114,17 +112,10 @@ def _rows(place: tuple[str, ...], value: object, numbers: Mapping[str, NumberFie
         return
     for count, row in enumerate(listed_, start=1):
         if not points:
-            yield from _number((*place, str(count)), row, numbers["coefficient"])
+            yield from numbers["coefficient"].problems((*place, str(count)), row)
             continue
         for key, each in zip(("time", "value"), row, strict=True):
-            yield from _number((*place, str(count), key), each, numbers[key])
-
-
-def _number(place: tuple[str, ...], value: object, number: NumberField) -> Iterator[Problem]:
-    if reason := number.reason_against(value):
-        yield Problem(
-            place, f"missing; {reason}" if value is None else reason, NOTHING if value is None else value
-        )
+            yield from numbers[key].problems((*place, str(count), key), each)
 
 
 def problems_of_control(content: Mapping[str, Any]) -> Iterator[Problem]:
