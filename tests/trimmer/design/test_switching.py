@@ -156,3 +156,11 @@ def test_what_cannot_be_judged_is_refused(
     with pytest.raises(MechanismError, match=r"^mine\.toml: ") as error:
         file(targets, *changes)
     assert told in str(error.value)
+
+
+def test_what_a_drive_keeps_moving_is_followed_for_twenty_of_its_periods() -> None:
+    """A tug of 0.5 Hz takes the blade off its seat again and again; its force follows a profile until 1 s."""
+    tugged = ("[walls]", 'tug = { on = "blade", amplitude = "6 N" }\n[walls]')
+    motion = study(file("", ("[bodies]", "frequency = 0.5\n[bodies]"), tugged)).motions().first
+    assert motion is not None
+    assert motion.signals.times[-1] == pytest.approx(1.0 + 20 * 2.0)

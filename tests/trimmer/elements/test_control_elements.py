@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 
 import control
+import matplotlib
 import numpy as np
 import pytest
 
 from tests.quick import quick
-from trimmer import ClosedLoop, DeadZone, FrictionBacklash, OpenLoop, harmonic_balance, harmonic_leakage
+from trimmer import DeadZone, FrictionBacklash, OpenLoop, ViscousBacklash, harmonic_balance, harmonic_leakage
 from trimmer.elements import ControlElement, Element, Preload, Relay, Saturation, ScaledElement, SumOfElements
 from trimmer.errors import UnsupportedElementError, WrongTypeError
+from trimmer.loops import ClosedLoop
 
 PLANT = control.tf([60.0], [1.0, 3.0, 3.0, 1.0])
 PAIRS = (
@@ -26,6 +28,8 @@ OURS = (
     Relay(1.0, 0.3),
     Relay(1.0, dead_zone=0.3),
     Relay(1.0, 0.1, 0.3),
+    FrictionBacklash(1.0),
+    ViscousBacklash(1.0, 0.2).at(0.8),
 )
 
 
@@ -140,3 +144,16 @@ def test_python_control_finds_limit_cycles_with_ours(element: Element) -> None:
     for cycle in known:
         nearest = min(found, key=lambda pair: abs(pair[0] - cycle.amplitude))
         assert nearest == pytest.approx((cycle.amplitude, cycle.omega), rel=5e-2)
+
+
+def test_python_control_plots_our_elements() -> None:
+    matplotlib.use("agg")
+    amplitude, omega = np.linspace(0.6, 20, 40), np.geomspace(0.1, 10, 60)
+    plot = control.describing_function_plot(PLANT, FrictionBacklash(1.0), amplitude, omega)
+    assert len(plot.lines[1][0].get_xdata()) == 40
+    matplotlib.pyplot.close(plot.figure)
+
+
+def test_a_missing_omega_is_an_error_in_python_control_too() -> None:
+    with pytest.raises(ValueError, match=r"depends on frequency: .* freeze it with \.at\(omega\)"):
+        control.describing_function(ViscousBacklash(1.0, 0.2), [1.0])
