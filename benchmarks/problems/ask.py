@@ -28,13 +28,19 @@ FILE = "machine.toml"
 def ours(problem: Problem) -> dict[str, float]:
     """Return the digits as the package finds them, by its commands or the problem's Python."""
     if problem.python:
-        space: dict[str, Any] = {}
-        exec(compile(problem.python, f"{problem.name}.toml", "exec"), space)
-        return {each.name: float(space["found"][each.name]) for each in problem.digits}
+        found = names_of(problem)["found"]
+        return {each.name: float(found[each.name]) for each in problem.digits}
     with TemporaryDirectory() as folder:
-        _write(problem, Path(folder))
+        write_files(problem, Path(folder))
         told = {name: _told(line, Path(folder)) for name, line in problem.asks.items()}
     return {each.name: followed(told, each) for each in problem.digits}
+
+
+def names_of(problem: Problem) -> dict[str, Any]:
+    """Run the Python of a problem; return what it names."""
+    space: dict[str, Any] = {}
+    exec(compile(problem.python, f"{problem.name}.toml", "exec"), space)
+    return space
 
 
 def one(problem: Problem, digit: Digit) -> float:
@@ -42,11 +48,12 @@ def one(problem: Problem, digit: Digit) -> float:
     if problem.python:
         return ours(problem)[digit.name]
     with TemporaryDirectory() as folder:
-        _write(problem, Path(folder))
+        write_files(problem, Path(folder))
         return followed({digit.ours[0]: _told(problem.asks[str(digit.ours[0])], Path(folder))}, digit)
 
 
-def _write(problem: Problem, folder: Path) -> None:
+def write_files(problem: Problem, folder: Path) -> None:
+    """Write the machine of a problem, and what it reads."""
     for name, content in {FILE: problem.machine, **problem.files}.items():
         (folder / name).write_text(content, encoding="utf-8")
 

@@ -8,14 +8,16 @@ import io
 import json
 import math
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import mpmath
 import pytest
 
-from benchmarks.problems import ask, publish
-from benchmarks.problems.read import KINDS, Digit, ProblemError, problems, read
+from benchmarks.problems import ask, proven, publish
+from benchmarks.problems.read import KINDS, Digit, Problem, ProblemError, problems, read
 from tests.quick import quick
+from trimmer.proof import check_proof
 
 PROBLEMS = {each.name: each for each in problems()}
 OURS = ("ball-to-rest", "falling-friction", "lever-play", "sampled-axis")
@@ -109,6 +111,51 @@ def test_what_is_published_has_every_digit() -> None:
     for each in PROBLEMS.values():
         assert f"## {each.title}\n" in page and each.statement in page
         assert all(f"| {digit.name} | {digit.printed} |" in page for digit in each.digits)
+
+
+PROVEN = [
+    (problem, digit)
+    for problem in PROBLEMS.values()
+    for digit in problem.digits
+    if proven.file_of(problem, digit).exists()
+]
+
+
+@pytest.mark.parametrize(("problem", "digit"), quick(PROVEN, 0, 1, 2, 3, 16))
+def test_a_proven_digit_is_that_of_a_proof_that_holds(problem: Problem, digit: Digit) -> None:
+    pytest.importorskip("flint")
+    proof = check_proof(proven.file_of(problem, digit))
+    assert proof.verdict == "proven"
+    assert proven.digits_of(digit, proof.theorem) == proven.proven_digits(problem, digit) >= 8
+    for other in (
+        replace(digit, value=digit.value * (1 + 1e-7)),
+        replace(digit, name="impact speed", ours=("a", "b")),
+    ):
+        assert proven.digits_of(other, proof.theorem) == 0
+
+
+def test_kept_proofs_are_those_of_digits_and_are_counted() -> None:
+    files = {proven.file_of(*each) for each in PROVEN}
+    assert files == set(proven.PROOFS.glob("*.json"))
+    told = json.loads(publish.as_json())
+    counts = [digit["proven_digits"] for each in told["problems"] for digit in each["digits"]]
+    assert sum(count > 0 for count in counts) == len(PROVEN) >= 20
+    assert f"Of these numbers {len(PROVEN)} are proven too" in publish.page()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("problem", "digit"), PROVEN)
+def test_a_proof_is_made_again_of_the_problem(problem: Problem, digit: Digit) -> None:
+    """What its file calls its equations is unchecked; here they are set up anew."""
+    made = proven.prove(problem, digit)
+    assert made is not None
+    assert proven.digits_of(digit, made.theorem) == proven.proven_digits(problem, digit)
+
+
+def test_of_what_is_not_covered_nothing_is_proven() -> None:
+    problem = PROBLEMS["gear-pair"]
+    grazing = next(each for each in problem.digits if each.name == "upper loss of contact")
+    assert proven.prove(problem, grazing) is None
 
 
 @pytest.mark.parametrize(
