@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final, final
@@ -25,6 +25,7 @@ PACKAGE: Final = "judged"
 """Name under which the modules of the folder are imported."""
 _KEYS: Final = ("title", "called", "text", "sections")
 _ID: Final = re.compile(r"[A-Za-z][\w.:-]*", re.ASCII)
+_PICTURE: Final = re.compile(r"!\[[^]]*\]\(([^)\s]+)\)")
 _NUMBER: Final = re.compile(r"\w+(\.\w+)*", re.ASCII)
 
 
@@ -72,8 +73,9 @@ def read_folder(path: Path) -> JudgedFolder:
             f"{path / DESCRIPTION}: text = {shown_value(words['text'])}: {error}; name the text "
             "that is judged, a file beside it"
         ) from error
-    for entry in inventory.values():
-        _require_place(path / INVENTORY, entry, len(copy.lines))
+    for line, entry in enumerate(inventory.values(), start=2):
+        _require_place(path / INVENTORY, line, entry, len(copy.lines))
+    _require_pictures(path / words["text"], copy.lines)
     subject = Subject(
         title=words["title"],
         called=words["called"],
@@ -136,41 +138,55 @@ def _inventory(path: Path, titles: Mapping[str, str]) -> Mapping[str, Statement]
         )
     try:
         inventory = filed(read_statements(path), path)
-    except (InventoryError, UnicodeDecodeError, csv.Error) as error:
+    except InventoryError as error:
         raise FolderError(f"{path.parent}: {error}") from error
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise FolderError(f"{path}: cannot be read: {error}; write it as CSV in UTF-8") from error
     if not inventory:
         raise FolderError(f"{path}: has no statement; add a line for each that is to be judged")
-    for entry in inventory.values():
-        _require_entry(path, entry, titles)
+    for line, entry in enumerate(inventory.values(), start=2):
+        _require_entry(path, line, entry, titles)
     return inventory
 
 
-def _require_entry(path: Path, entry: Statement, titles: Mapping[str, str]) -> None:
+def _require_entry(path: Path, line: int, entry: Statement, titles: Mapping[str, str]) -> None:
+    where = f"{path}, line {line}"
     if _ID.fullmatch(entry.id) is None or (entry.kind is not Kind.STATEMENT and "-" not in entry.id):
         raise FolderError(
-            f"{path}: the id {shown_value(entry.id)}: write letters, digits and -_.: alone, and what the "
+            f"{where}: the id {shown_value(entry.id)}: write letters, digits and -_.: alone, and what the "
             f"text calls it behind the first -, such as {_example(entry.kind)}"
         )
     for number in (entry.section, entry.chapter):
         if number not in titles:
             raise FolderError(
-                f'{path}: {entry.id}: section {shown_value(number)} has no title; add {_key(number)} = "…" '
+                f'{where}: {entry.id}: section {shown_value(number)} has no title; add {_key(number)} = "…" '
                 f"below [sections] of {path.with_name(DESCRIPTION)}"
             )
 
 
-def _require_place(path: Path, entry: Statement, count: int) -> None:
+def _require_place(path: Path, line: int, entry: Statement, count: int) -> None:
     """Check that a statement stands in the text, and that the file that judges it is there."""
+    where = f"{path}, line {line}: {entry.id}"
     if entry.lines is not None and not 1 <= entry.lines[0] <= entry.lines[1] <= count:
         raise FolderError(
-            f"{path}: {entry.id}: first_line and last_line are {entry.lines[0]} and {entry.lines[1]}; write "
+            f"{where}: first_line and last_line are {entry.lines[0]} and {entry.lines[1]}; write "
             f"lines of the text, which has {count}, or leave both out"
         )
     if entry.source and not (path.parent / entry.source).is_file():
         raise FolderError(
-            f"{path}: {entry.id}: source {shown_value(entry.source)} is no file beside it; name one, or "
-            "leave it out"
+            f"{where}: source {shown_value(entry.source)} is no file beside it; name one, or leave it out"
         )
+
+
+def _require_pictures(path: Path, lines: Sequence[str]) -> None:
+    """Check that the files are there which a text in Markdown shows as pictures."""
+    for number, line in enumerate(lines, start=1):
+        for name in _PICTURE.findall(line):
+            if "://" not in name and not (path.parent / name).is_file():
+                raise FolderError(
+                    f"{path}, line {number}: shows the picture {shown_value(name)}, which is not there; put "
+                    "it beside the text, or mend the line"
+                )
 
 
 def _example(kind: Kind) -> str:

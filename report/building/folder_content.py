@@ -99,7 +99,7 @@ def _judged(
 
 
 def _drawn(folder: JudgedFolder, record: Any, known: Any) -> Figure:
-    with _told(folder, str(folder.path), f"the figure {record.id}"):
+    with _told(folder, folder.subject.file_of(record.draw.__module__), f"the figure {record.id}"):
         figure: Figure = record.finished(known)
         return figure
 

@@ -8,7 +8,7 @@ from typing import Any, final
 
 import matplotlib.figure
 
-from report.judging.text import one_line
+from report.judging.text import RecordError, one_line
 from report.pages.drawing.drawn import drawn
 from report.pages.drawing.style import style
 from report.pages.figure import Figure
@@ -49,7 +49,13 @@ class FigureRecord:
     def finished(self, known: Any) -> Figure:
         """Draw the figure; it is then an SVG with its words."""
         words = self.words
-        return drawn(self.id, words.title, words.caption, words.alternative_text, lambda: self.draw(known))
+        return drawn(self.id, words.title, words.caption, words.alternative_text, lambda: self._made(known))
+
+    def _made(self, known: Any) -> matplotlib.figure.Figure:
+        made = self.draw(known)
+        if made is None:
+            raise RecordError(f"figure {self.id}: what draws it returns nothing; return a matplotlib Figure")
+        return made
 
 
 def recorded(figure_id: str, told: Callable[[], FigureWords]) -> Callable[[Draw], FigureRecord]:

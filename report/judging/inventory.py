@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from enum import Enum
 from pathlib import Path
@@ -12,7 +12,7 @@ from typing import TypeVar
 from report.judging.claim import Kind, Statement
 from report.judging.verdict import Certainty, Impact, Severity
 from trimmer.errors import TrimmerError
-from trimmer.messages import listed
+from trimmer.messages import did_you_mean, listed, near_words
 
 Word = TypeVar("Word", bound=Enum)
 COLUMNS = ("id", "kind", "section", "subject")
@@ -74,26 +74,31 @@ def _filed(entry: Statement, row: Mapping[str, str]) -> Statement:
         entry,
         title=given["title"] or entry.title,
         source=given["source"],
-        impact=_word(Impact, given["impact"] or Impact.NONE.value),
-        lines=(int(first), int(last)) if first or last else None,
-        paragraph=int(given["paragraph"]) if given["paragraph"] else None,
-        severity=_word(Severity, given["severity"]) if given["severity"] else None,
-        certainty=_word(Certainty, given["certainty"]) if given["certainty"] else None,
+        impact=_word("impact", Impact, given["impact"] or Impact.NONE.value),
+        lines=(_number("first_line", first), _number("last_line", last)) if first or last else None,
+        paragraph=_number("paragraph", given["paragraph"]) if given["paragraph"] else None,
+        severity=_word("severity", Severity, given["severity"]) if given["severity"] else None,
+        certainty=_word("certainty", Certainty, given["certainty"]) if given["certainty"] else None,
     )
 
 
-def _word(kind: type[Word], text: str) -> Word:
+def _number(column: str, text: str) -> int:
+    if not (text.isascii() and text.isdigit()):
+        raise ValueError(f"{column} {text!r} is no number of a line or paragraph; write one such as 12")
+    return int(text)
+
+
+def _word(column: str, kind: type[Word], text: str) -> Word:
     words = [each.value for each in kind]
     if text not in words:
-        raise ValueError(f"{text!r} is not a valid {kind.__name__}; there are {listed(words)}")
+        raise ValueError(f"{column} {text!r} is not known; there are {listed(words)}")
     return kind(text)
 
 
 def _entries(path: Path) -> Iterator[tuple[int, Statement]]:
     with path.open(encoding="utf-8", newline="") as file:
         reader = csv.DictReader(file)
-        if lacking := [column for column in COLUMNS if column not in (reader.fieldnames or ())]:
-            raise InventoryError(f"{path.name}, line 1: lacks {listed(lacking)}; it names the columns")
+        _require_columns(path, reader.fieldnames or ())
         for line, row in enumerate(reader, start=2):
             if None in row or None in row.values():
                 raise InventoryError(
@@ -103,4 +108,19 @@ def _entries(path: Path) -> Iterator[tuple[int, Statement]]:
                 raise InventoryError(
                     f"{path.name}, line {line}: unknown kind {row['kind']!r}; there are {listed(kinds)}"
                 )
+            if empty := [column for column in COLUMNS if not row[column].strip()]:
+                raise InventoryError(f"{path.name}, line {line}: {listed(empty)} must not be empty")
             yield line, Statement(row["id"], Kind(row["kind"]), row["section"], row["subject"])
+
+
+def _require_columns(path: Path, names: Sequence[str]) -> None:
+    """Check that line 1 names what is needed, and nothing twice or unknown."""
+    if lacking := [column for column in COLUMNS if column not in names]:
+        raise InventoryError(f"{path.name}, line 1: lacks {listed(lacking)}; it names the columns")
+    for name in names:
+        known = (*COLUMNS, *FURTHER)
+        if name not in known:
+            advice = did_you_mean(near_words(name, known)) or f"there are {listed(known)}"
+            raise InventoryError(f"{path.name}, line 1: {name!r} is no column of it; {advice}")
+        if names.count(name) > 1:
+            raise InventoryError(f"{path.name}, line 1: names the column {name} twice; keep one")

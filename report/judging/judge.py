@@ -79,7 +79,7 @@ def _own_item(claim: Claim, part: ClaimPart | Uncheckable) -> str:
 
 def _severity(entry: Statement, part: ClaimPart) -> Severity:
     severity = part.severity or entry.severity
-    if severity is None:
+    if severity in (None, Severity.NONE):
         raise UngradedError(f"{entry.id}, {part.label or 'only part'}: it is wrong, and has no severity")
     return severity
 

@@ -8,6 +8,7 @@ to vanish, ``same`` for expressions and matrices, ``so`` for a finding of which 
 
 from __future__ import annotations
 
+import math
 import re
 from fractions import Fraction
 from typing import Any, TypedDict, Unpack
@@ -54,10 +55,12 @@ def digits(
     """Hold printed digits against a number; half a unit of the last printed place is the tolerance.
 
     Raises:
-        RecordError: if what is printed is no string of digits.
+        RecordError: if what is printed is no string of digits, or what is derived not finite.
     """
     if not (isinstance(printed, str) and DECIMAL.fullmatch(printed)):
         raise RecordError(f"part {label!r}: {printed!r} is no string of digits such as '8.28' or '2.1e-8'")
+    if not math.isfinite(derived):
+        raise RecordError(f"part {label!r}: {derived} is no number to hold against {printed!r}")
     return part(label, PrintedDigits(printed, derived, unit), **more)
 
 

@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any, final
 
-from report.judging.claim import Claim, ClaimPart, Uncheckable
+from report.judging.claim import Claim, ClaimPart, Confirmation, Uncheckable
 from report.judging.text import RecordError, one_line
 
 PARAGRAPH = re.compile(r"[ ]*\n[ ]*\n[ \n]*")
@@ -62,6 +62,9 @@ def said(name: str, items: Callable[[Any], Iterator[Any]], known: Any) -> tuple[
         texts = [item.paragraphs for item in found if isinstance(item, Text)]
     except RecordError as error:
         raise RecordError(f"{name}: {error}") from error
+    known_kinds = Text | ClaimPart | Uncheckable | Confirmation
+    if strange := [item for item in found if not isinstance(item, known_kinds)]:
+        raise RecordError(f"{name} yields {strange[0]!r}, which is no part; yield digits() or text()")
     if len(texts) != 1:
         raise RecordError(f"{name} has {len(texts)} texts; it needs one")
     return texts[0], [item for item in found if not isinstance(item, Text)]
@@ -87,6 +90,11 @@ class ClaimRecord:
             RecordError: naming the claim, if a part is none, or if there is not one text.
         """
         (explanation, *consequence), items = said(f"claim {self.id}", self.items, known)
+        for item in items:
+            if not isinstance(item, ClaimPart | Uncheckable):
+                raise RecordError(
+                    f"claim {self.id} yields {item!r}, which is no part; yield digits(), text() ..."
+                )
         return Claim(self.id, tuple(items), explanation, "".join(consequence))
 
 

@@ -90,8 +90,8 @@ def test_a_table_says_what_is_known_of_a_statement(tmp_path):
         ("", r"claims\.csv: has one line for each statement; see eq-2\.1"),
         ("eq-2.1,a,,,,,,,\neq-2.1,a,,,,,,,\n", r"claims\.csv: has one line for each statement; see eq-2\.1"),
         ("eq-2.1,a,,,,,,,\neq-9,a,,,,,,,\n", r"statement; see eq-9$"),
-        ("eq-2.1,a,,1,,,,,\n", r"claims\.csv, line 2: invalid literal for int"),
-        ("eq-2.1,a,,1,2,,bad,,\n", r"claims\.csv, line 2: 'bad' is not a valid Severity"),
+        ("eq-2.1,a,,1,,,,,\n", r"claims\.csv, line 2: last_line '' is no number of a line"),
+        ("eq-2.1,a,,1,2,,bad,,\n", r"claims\.csv, line 2: severity 'bad' is not known"),
     ],
 )
 def test_a_table_has_one_line_for_each_statement(tmp_path, rows, message):
