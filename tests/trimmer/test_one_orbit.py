@@ -17,6 +17,7 @@ from trimmer.command_line.main import main
 from trimmer.design import DesignSettings, NumberRole, VariedNumber
 from trimmer.design.motions import motions_from_starts, with_neighbours
 from trimmer.mechanism import Body, Output, Pin, Play
+from trimmer.one_orbit import COARSE, ClosedCurve, are_one
 
 OMEGA = 7.5
 """Here a motion with contact coexists with one without."""
@@ -93,3 +94,17 @@ def test_one_that_stands_for_its_kind_says_so() -> None:
     several = motion_map(rattling(), {"frequency": [1.0]}, starts=3, **settings)
     assert several.motion_count[0, 0] == 1
     assert several.searched.endswith("where all of a cell that do not repeat count as one of each kind")
+
+
+def test_an_orbit_that_begins_in_a_quick_pass_of_a_crossing_is_found_beside_the_slow_pass() -> None:
+    """A figure of eight; its crossing is passed 19 times as fast the second time, between coarse points."""
+
+    def path(times: np.ndarray, size: float = 1.0) -> np.ndarray:
+        phase = 2.0 * np.pi * times - 0.9 * np.sin(2.0 * np.pi * times)
+        return size * np.stack([np.sin(phase), np.sin(2.0 * phase)], axis=1)
+
+    times = np.arange(64) / 64
+    begun = (times + 0.5 + 0.47 / COARSE) % 1.0
+    curve = ClosedCurve(1.0, path(times)[None], np.ones(2), path=path)
+    assert are_one(ClosedCurve(1.0, path(begun)[None], np.ones(2)), curve)
+    assert not are_one(ClosedCurve(1.0, path(begun, 1.0 + 1e-5)[None], np.ones(2)), curve)

@@ -9,6 +9,7 @@ from pathlib import Path
 import control
 import numpy as np
 import pytest
+import scipy.linalg
 import scipy.optimize
 from matplotlib.figure import Figure
 
@@ -262,3 +263,17 @@ CLOSED = trimmer.TrimmerLoop(THESIS, trimmer.FrictionBacklash(4e-5))
 def test_what_a_loop_is_not_asked_for(ask, told: str) -> None:
     with pytest.raises(trimmer.errors.TrimmerError, match=told):
         ask()
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_of_an_undamped_loop_rounding_damps_nothing(seed: int) -> None:
+    """Vibrations of 1 and sqrt(3) rad/s within a dead zone, in states that mix them: real parts are 1e-16."""
+    mixed = np.random.default_rng(seed).normal(size=(4, 4))
+    turning = scipy.linalg.block_diag([[0, 1], [-1, 0]], np.sqrt(3) * np.array([[0, 1], [-1, 0]]))
+    flow = mixed @ turning @ np.linalg.inv(mixed)
+    outputs = np.array([[1.0, 0.0, 1.0, 0.0]]) @ np.linalg.inv(mixed)
+    plant = control.ss(flow, mixed @ np.ones((4, 1)), outputs, 0.0)
+    loop = trimmer.ClosedLoop(plant, trimmer.DeadZone(1.0))
+    response = trimmer.respond(loop, state=mixed @ [0.2, 0.0, 0.3, 0.0])
+    assert response.kind is trimmer.MotionKind.TORUS
+    assert "nothing damps the free vibrations of 0.159155 and 0.275664 Hz" in response.message
