@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+import functools
 import math
 
-from flint import arb, arb_mat
+from flint import arb, arb_mat, arb_poly
 
-from trimmer.proof.balls import about
-from trimmer.proof.following import BY_LAW, Followed, Motion, Segment, norm
-from trimmer.proof.statement import MOST_ZEROS
-from trimmer.proof.undecided import RefutedError, UndecidedError
+from trimmer.proof.balls import hull
+from trimmer.proof.following import BY_LAW, Followed, Motion, Segment, moduli, norm
+from trimmer.proof.outcome import RefutedError, UndecidedError
 
 TERMS = 18
 """Of Taylor's polynomials over a step."""
@@ -44,45 +44,38 @@ def _require_positive_between(motion: Motion, number: int, over: Followed) -> li
         return [end]
     if not duration > 0:
         raise RefutedError(f"segment {number} ends before it begins")
-    scales, rate = _scales(motion, segment)
-    count = max(2, math.ceil(float((rate * duration).upper())))
+    scaled = _scales(motion, segment)
+    count = max(2, math.ceil(float((scaled[1] * duration).upper())))
     if count > MOST_STEPS:
         raise UndecidedError(f"segment {number} is too long for its fastest rate: {count} steps")
     step = duration / count
     whole, passed = (segment.flow * step).exp(), [over.starts[number]]
-    functions = range(segment.functions.nrows())
-    falling = [] if segment.fired is None else [segment.fired, *_together(segment)]
+    falling = () if segment.fired is None else (segment.fired, *_together(segment))
     for place in range(count):
-        values = _polynomials(scales, segment, passed[-1], step, rate) if functions else None
-        for function in functions:
-            if values is not None and not (place == count - 1 and function in falling):
-                _require_positive(values, function, 0 if place else segment.zeros.get(function, 0), number)
+        zeros, left = ({} if place else segment.zeros), (falling if place == count - 1 else ())
+        _require_positive(motion, number, scaled, (passed[-1], step), zeros, left)
         passed.append(whole * passed[-1])
     if falling:
-        values = _polynomials(scales, segment, end, -step, rate)
-        for function in falling:
-            _require_positive(values, function, 1, number)
+        others = tuple(k for k in range(segment.functions.nrows()) if k not in falling)
+        _require_positive(motion, number, scaled, (end, -step), dict.fromkeys(falling, 1), others)
     return passed
 
 
 def _scales(motion: Motion, segment: Segment) -> tuple[list[arb], arb]:
-    """Choose scales of Z in which M has a small norm, and return it: sizes, or what balances M."""
+    """Choose scales of Z in which M has a small norm, and return it; they are no smaller than the sizes."""
     n, size = motion.n, len(motion.sizes)
-    moduli = [[float(abs(segment.flow[i, k]).upper()) for k in range(n)] for i in range(n)]
+    flow = [[float(abs(segment.flow[i, k]).upper()) for k in range(n)] for i in range(n)]
     balanced = [float(each) for each in motion.sizes[:n]]
     for _ in range(20):
         for i in range(n):
-            out = sum(moduli[i][k] * balanced[k] for k in range(n) if k != i)
-            into = sum(moduli[k][i] / balanced[k] for k in range(n) if k != i)
+            out = sum(flow[i][k] * balanced[k] for k in range(n) if k != i)
+            into = sum(flow[k][i] / balanced[k] for k in range(n) if k != i)
             if out > 0 and into > 0:
                 balanced[i] = math.sqrt(out / into)
     largest = max(float(each) / other for each, other in zip(motion.sizes[:n], balanced, strict=True))
-    choices = [motion.sizes, [*(arb(largest * each) for each in balanced), *motion.sizes[n:]]]
-    found = []
-    for scales in choices:
-        table = [[segment.flow[i, k] * scales[k] / scales[i] for k in range(size)] for i in range(size)]
-        found.append((scales, norm(arb_mat(table))))
-    return min(found, key=lambda each: float(each[1]))
+    scales = [*(arb(largest * each) for each in balanced), *motion.sizes[n:]]
+    table = [[segment.flow[i, k] * scales[k] / scales[i] for k in range(size)] for i in range(size)]
+    return scales, norm(arb_mat(table))
 
 
 def _together(segment: Segment) -> tuple[int, ...]:
@@ -103,35 +96,6 @@ def _together(segment: Segment) -> tuple[int, ...]:
     return segment.together
 
 
-Polynomials = tuple[arb_mat, list[arb], list[arb_mat]]
-"""Of event functions over a share of a step: coefficients (f, TERMS), errors, sizes of the first of them."""
-
-
-def _polynomials(scales: list[arb], segment: Segment, z: arb_mat, step: arb, rate: arb) -> Polynomials:
-    size, columns = len(scales), [z]
-    for k in range(1, TERMS):
-        columns.append(segment.flow * columns[-1] * (step / k))
-    table = arb_mat([[each[i, 0] for each in columns] for i in range(size)])
-    largest = arb(0)
-    for i in range(size):
-        largest = largest.max(abs(z[i, 0]) / scales[i])
-    reach = rate * abs(step)
-    off = (reach**TERMS / math.factorial(TERMS) * reach.exp() * largest).upper()
-    moduli = arb_mat([[abs(each) for each in row] for row in segment.functions.tolist()])
-    errors = [
-        sum((moduli[f, k] * scales[k] for k in range(size)), arb(0)) * off for f in range(moduli.nrows())
-    ]
-    rates, column = (
-        arb_mat([[abs(each) for each in row] for row in segment.flow.tolist()]),
-        arb_mat([[each] for each in scales]),
-    )
-    terms = [moduli * column]
-    for k in range(1, MOST_ZEROS):
-        column = rates * column * (abs(step) / k)
-        terms.append(moduli * column)
-    return segment.functions * table, errors, terms
-
-
 def _require_demands(segment: Segment, end: arb_mat, where: str) -> None:
     for value in [] if segment.strict is None else (segment.strict * end).entries():
         if value < 0:
@@ -140,26 +104,55 @@ def _require_demands(segment: Segment, end: arb_mat, where: str) -> None:
             raise UndecidedError(f"a demand is at its limit {where}, to balls")
 
 
-def _require_positive(values: Polynomials, function: int, zeros: int, number: int) -> None:
-    table, errors, terms = values
-    called = f"event function {function} of segment {number}"
-    known = [table[function, k] for k in range(zeros)]
-    if any(not abs(each) < BY_LAW * terms[k][function, 0] for k, each in enumerate(known)):
-        raise UndecidedError(f"{called} is not zero where it is said to be")
-    coefficients = [table[function, k] for k in range(zeros, TERMS)]
-    error = errors[function]
+def _require_positive(
+    motion: Motion,
+    number: int,
+    scaled: tuple[list[arb], arb],
+    begun: tuple[arb_mat, arb],
+    zeros: dict[int, int],
+    left: tuple[int, ...],
+) -> None:
+    """Enclose event functions, but for some that are left out, over a step from Z by Taylor's polynomials."""
+    segment, (scales, rate), (z, step) = motion.segments[number], scaled, begun
+    if not segment.functions.nrows():
+        return
+    columns = [z]
+    for k in range(1, TERMS):
+        columns.append(segment.flow * columns[-1] * (step / k))
+    largest = functools.reduce(arb.max, (abs(z[i, 0]) / each for i, each in enumerate(scales)))
+    reach = rate * abs(step)
+    off = (reach**TERMS / math.factorial(TERMS) * reach.exp() * largest).upper()
+    errors = moduli(segment.functions) * arb_mat([[each * off] for each in scales])
+    for function in range(segment.functions.nrows()):
+        if function in left:
+            continue
+        called = f"event function {function} of segment {number}"
+        row = arb_mat([segment.functions.tolist()[function]])
+        _require_zeros(motion, row, segment.flow, z, zeros.get(function, 0), called)
+        terms = [(row * each)[0, 0] for each in columns[zeros.get(function, 0) :]]
+        _require_above(arb_poly(terms), errors[function, 0], called)
+
+
+def _require_zeros(motion: Motion, row: arb_mat, flow: arb_mat, z: arb_mat, zeros: int, called: str) -> None:
+    """Hold what the law of an event makes zero against the sizes of its terms."""
+    sizes = arb_mat([[each] for each in motion.sizes])
+    for _ in range(zeros):
+        if not abs((row * z)[0, 0]) < BY_LAW * (moduli(row) * sizes)[0, 0]:
+            raise UndecidedError(f"{called} is not zero where it is said to be")
+        z, sizes = flow * z, moduli(flow) * sizes
+
+
+def _require_above(polynomial: arb_poly, error: arb, called: str) -> None:
+    """Divide the shares of a step, 0 to 1, until a polynomial is larger than its error on each."""
     waiting = [(0.0, 1.0)]
     while waiting:
         first, last = waiting.pop()
-        middle, half = 0.5 * (first + last), about(0.5 * (last - first))
-        value = arb(0)
-        at = arb(middle) + half
-        for each in reversed(coefficients):
-            value = value * at + each
-        if value > error:
-            continue
+        value = polynomial(hull(first, last))
         if value < -error:
             raise RefutedError(f"{called} is negative within it")
+        if value > error:
+            continue
         if last - first < 2.0**-24:
             raise UndecidedError(f"{called} may come to zero within it: a grazing, to balls")
+        middle = 0.5 * (first + last)
         waiting += [(first, middle), (middle, last)]

@@ -8,11 +8,10 @@ from flint import acb, arb, ctx, fmpq_poly
 
 from trimmer.proof.balls import PRECISION, along_axis, exact, fraction_of, in_balls, real
 from trimmer.proof.described import Parts
-from trimmer.proof.outcome import Outcome, Verdict
+from trimmer.proof.outcome import RefutedError, UndecidedError
 from trimmer.proof.plane import Plane
 from trimmer.proof.proportional import Solution, keeps_direction, solutions
 from trimmer.proof.statement import Coefficients, LimitCycles, Matrices, Place
-from trimmer.proof.undecided import RefutedError, UndecidedError
 
 NEAR = 1e-9
 """Relative distance between a solution and its place in the list up to which it is the one listed."""
@@ -20,8 +19,8 @@ ROUNDED = 1e-6
 """Relative distance up to which the list may only be less precise than it should be."""
 
 
-def check_limit_cycles(data: LimitCycles) -> Outcome:
-    """Hold a list against all solutions of 1 + N(A, omega) G(j omega) = 0.
+def check_limit_cycles(data: LimitCycles) -> str:
+    """Hold a list against all solutions of 1 + N(A, omega) G(j omega) = 0; return the theorem.
 
     Raises:
         UndecidedError: where balls do not tell.
@@ -29,7 +28,7 @@ def check_limit_cycles(data: LimitCycles) -> Outcome:
     """
     with ctx.workprec(PRECISION):
         _compare(all_solutions(data), data)
-    return Outcome(Verdict.PROVEN, _theorem(data.limit_cycles, data.omega_range), "")
+    return _theorem(data.limit_cycles, data.omega_range)
 
 
 def all_solutions(data: LimitCycles) -> list[Solution]:

@@ -19,8 +19,8 @@ from functools import cached_property
 from flint import arb, arb_mat, ctx, fmpq
 
 from trimmer.proof.balls import about, exact, real
+from trimmer.proof.outcome import UndecidedError
 from trimmer.proof.statement import Course, Equations, Row, SpecialPoint
-from trimmer.proof.undecided import UndecidedError
 
 ORBIT_PRECISION = 448
 """Bits: enough for balls that grow by a factor e with each step of 1/|M|."""
@@ -336,6 +336,11 @@ def _padded(table: arb_mat, rows: int, columns: int) -> arb_mat:
 def identity(size: int) -> arb_mat:
     """Return the exact identity."""
     return arb_mat([[arb(int(i == k)) for k in range(size)] for i in range(size)])
+
+
+def moduli(table: arb_mat) -> arb_mat:
+    """Return the moduli of all entries."""
+    return arb_mat([[abs(each) for each in row] for row in table.tolist()])
 
 
 def norm(flow: arb_mat) -> arb:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from itertools import pairwise
 
 from flint import arb, arb_mat
 
-from trimmer.proof.following import BY_LAW, Followed, Motion, identity
+from trimmer.proof.following import BY_LAW, Followed, Motion, identity, moduli
+from trimmer.proof.outcome import RefutedError, UndecidedError
 from trimmer.proof.statement import Course
-from trimmer.proof.undecided import RefutedError, UndecidedError
 
 TOGETHER = 1e-9
 """Share of a sample within which what a clock does is at one instant."""
@@ -161,11 +160,6 @@ def _require_shifts(motion: Motion) -> None:
         for segment in motion.segments:
             tables = [segment.flow, segment.functions, segment.reset - identity(motion.count)]
             for table in [*tables, *([segment.strict] if segment.strict is not None else [])]:
-                pairs = zip((table * way).entries(), (_moduli(table) * _moduli(way)).entries(), strict=True)
+                pairs = zip((table * way).entries(), (moduli(table) * moduli(way)).entries(), strict=True)
                 if any(not abs(value) <= BY_LAW * size for value, size in pairs):
                     raise RefutedError("something changes along a shift")
-
-
-def _moduli(table: arb_mat) -> arb_mat:
-    rows: Iterable[list[arb]] = table.tolist()
-    return arb_mat([[abs(each) for each in row] for row in rows])

@@ -15,6 +15,7 @@ from trimmer.hybrid.system import EventFunction, Mode, System
 from trimmer.hybrid.variation import end_of_instant
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
+from trimmer.proof.outcome import UndecidedError
 from trimmer.proof.statement import MOST_ZEROS
 from trimmer.response.orbit import Orbit
 
@@ -26,10 +27,6 @@ BESIDE = 1e-6
 """Share of a motion within which an event is too near to where it begins."""
 SMALL = 1e-10
 """Share of its terms below which a derivative of an event function is taken for zero by law."""
-
-
-class UncoveredError(Exception):
-    """The message says, without a full stop, what the check does not cover."""
 
 
 @dataclass(frozen=True)
@@ -77,13 +74,13 @@ def orbit_data(orbit: Orbit, flow: Flow) -> dict[str, Any]:
         flow: What it is said to be a motion of; modes and resets are taken from this alone.
 
     Raises:
-        UncoveredError: if it is none that the check covers.
+        UndecidedError: if it is none that the check covers.
     """
     if not orbit.success:
-        raise UncoveredError("it does not return")
+        raise UndecidedError("it does not return")
     stable = True if orbit.stable else None if orbit.neutral else False
     if orbit.advances and flow is not orbit.flow:
-        raise UncoveredError("the orbit is one of another system, in another frame")
+        raise UndecidedError("the orbit is one of another system, in another frame")
     frame = flow.modes.system.layout.frame.velocities.tolist() if orbit.advances else []
     course = begun_amid(orbit.course)
     motion = motion_data(course, flow, orbit.periods)
@@ -106,7 +103,7 @@ def motion_data(course: Course, flow: Flow, periods: float) -> dict[str, Any]:
     """Return the segments of a motion of some periods of the drive, 0 without one.
 
     Raises:
-        UncoveredError: if it is none that the check covers.
+        UndecidedError: if it is none that the check covers.
     """
     system = flow.modes.system
     layout, log = system.layout, course.log
@@ -140,7 +137,7 @@ def motion_data(course: Course, flow: Flow, periods: float) -> dict[str, Any]:
             }
         )
     if system.clockwork is not None and course.begin.phase:
-        raise UncoveredError("a sampled motion that begins amid a period is not covered")
+        raise UndecidedError("a sampled motion that begins amid a period is not covered")
     samplers = () if system.clockwork is None else system.clockwork.samplers
     return {
         "about": flow.subject.title or type(flow.subject).__name__,
@@ -168,7 +165,7 @@ def equations_data(course: Course, flow: Flow) -> dict[str, Any]:
     """Return the numbers of the modes and events of a motion, those that a flow gives them.
 
     Raises:
-        UncoveredError: if they are none of the same.
+        UndecidedError: if they are none of the same.
     """
     own, system = course.modes.system.layout, flow.modes.system
     _require_covered(course, system)
@@ -201,13 +198,13 @@ def _modes(seen: Seen) -> list[dict[str, Any]]:
 def _require_covered(course: Course, system: System) -> None:
     own, layout = course.modes.system.layout, system.layout
     if (own.size, own.state_count, own.period > 0) != (layout.size, layout.state_count, layout.period > 0):
-        raise UncoveredError("the orbit is one of another system")
+        raise UndecidedError("the orbit is one of another system")
     if layout.ramp or layout.drifts or len(layout.breaks):
-        raise UncoveredError("forces that do not repeat with the drive are not covered")
+        raise UndecidedError("forces that do not repeat with the drive are not covered")
     n = layout.state_count
     block = system.mode(course.modes[0].statuses).flow[n:, n:] / (layout.omega or 1.0)
     if abs(block - np.rint(block)).max(initial=0.0) > 1e-9:
-        raise UncoveredError("forces that are no multiples of the drive are not covered")
+        raise UndecidedError("forces that are no multiples of the drive are not covered")
 
 
 def _rows(log: Any) -> Iterator[tuple[int, int]]:
@@ -218,7 +215,7 @@ def _rows(log: Any) -> Iterator[tuple[int, int]]:
         last = following - 1
         goes_on = row > 0 and TICKED < log.function[row] < 0
         if goes_on and (last > row or log.mode[row] != log.mode[row - 1]):
-            raise UncoveredError("an event that is told by no event function is not covered")
+            raise UndecidedError("an event that is told by no event function is not covered")
         if not goes_on:
             yield row, last
         row = following
@@ -243,7 +240,7 @@ def _reset(seen: Seen, first: int, last: int) -> Any:
         if impulse is not None:
             impulses += 1
             if impulses > 1 or log.kind[row] != IMPACT:
-                raise UncoveredError("several impacts at one instant, or a chatter's end, are not covered")
+                raise UndecidedError("several impacts at one instant, or a chatter's end, are not covered")
             total = impulse[0] @ total
         if log.function[row] <= TICKED:
             clock, number = seen.clock(row)

@@ -11,17 +11,16 @@ from flint import arb, ctx
 from trimmer.proof.between_events import require_no_other_events
 from trimmer.proof.following import BY_LAW, ORBIT_PRECISION, RADIUS, Motion
 from trimmer.proof.form import require_form, require_rest_at_start, require_shortest
-from trimmer.proof.outcome import Outcome, Verdict
+from trimmer.proof.outcome import RefutedError, UndecidedError
 from trimmer.proof.returning import first_guess, multipliers_of, solve
 from trimmer.proof.statement import Orbit
-from trimmer.proof.undecided import RefutedError, UndecidedError
 
 NEAR = 1e-9
 """Distance from the computed motion, as a share of the size of each state, within which it is that."""
 
 
-def check_orbit(data: Orbit) -> Outcome:
-    """Hold a periodic motion against the equations of its modes.
+def check_orbit(data: Orbit) -> str:
+    """Hold a periodic motion against the equations of its modes; return the theorem.
 
     Raises:
         RefutedError: if it is elsewhere, has other events or another stability.
@@ -40,7 +39,7 @@ def check_orbit(data: Orbit) -> Outcome:
             told = {True: "stable", False: "unstable", None: "of undecided stability"}
             error = UndecidedError if stable is None else RefutedError
             raise error(f"it is said to be {told[data.stable]}, and is {told[stable]}")
-        return Outcome(Verdict.PROVEN, _theorem(motion, data, stable, largest), "")
+        return _theorem(motion, data, stable, largest)
 
 
 def require_near(motion: Motion, unknown: list[arb], near: float) -> None:

@@ -1,8 +1,7 @@
-"""What a check comes to: a verdict, and what is proven or why nothing is."""
+"""What a check comes to: a theorem, or an error that says why there is none."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import StrEnum
 
 
@@ -14,16 +13,17 @@ class Verdict(StrEnum):
     REFUTED = "refuted"
 
 
-@dataclass(frozen=True)
-class Outcome:
-    """What a check comes to.
+class UnprovenError(Exception):
+    """What a check raises; the message says why, without a full stop."""
 
-    Attributes:
-        verdict: Proven, undecided or refuted.
-        theorem: What is proven, a sentence; empty if nothing is.
-        reason: Why nothing is proven, or what is wrong, without a full stop; empty if it is proven.
-    """
+    verdict = Verdict.UNDECIDED
 
-    verdict: Verdict
-    theorem: str
-    reason: str
+
+class UndecidedError(UnprovenError):
+    """Balls do not tell."""
+
+
+class RefutedError(UnprovenError):
+    """Balls tell otherwise."""
+
+    verdict = Verdict.REFUTED

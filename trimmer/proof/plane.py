@@ -19,7 +19,7 @@ from flint import acb, acb_poly, arb, fmpq, fmpq_poly
 
 from trimmer.proof.balls import PI, about, along_axis, exact, hull, in_balls, real
 from trimmer.proof.described import Parts, carried_play, corner, ideal_play, thrown_play
-from trimmer.proof.undecided import UndecidedError
+from trimmer.proof.outcome import UndecidedError
 
 LAST = math.nextafter(math.pi, 4.0)
 """The end of the flights, rounded up."""

@@ -13,9 +13,8 @@ from trimmer.errors import MissingPackageError, TrimmerError
 from trimmer.files import read_content, write_atomically
 from trimmer.json_data import DataError, parsed_json, typed
 from trimmer.messages import shown_value
-from trimmer.proof.outcome import Outcome, Verdict
+from trimmer.proof.outcome import UnprovenError, Verdict
 from trimmer.proof.statement import LimitCycles, Orbit, SpecialPoint
-from trimmer.proof.undecided import RefutedError, UndecidedError
 
 _FORMAT = 1
 
@@ -68,12 +67,10 @@ def proof_of(statement: str, data: dict[str, Any]) -> Proof:
     """
     check = _checks()[statement]
     try:
-        outcome = check(typed(_STATEMENTS[statement], data))
-    except UndecidedError as error:
-        outcome = Outcome(Verdict.UNDECIDED, "", str(error))
-    except RefutedError as error:
-        outcome = Outcome(Verdict.REFUTED, "", str(error))
-    return Proof(statement, outcome.verdict, outcome.theorem, outcome.reason, data)
+        theorem = check(typed(_STATEMENTS[statement], data))
+    except UnprovenError as error:
+        return Proof(statement, error.verdict, "", str(error), data)
+    return Proof(statement, Verdict.PROVEN, theorem, "", data)
 
 
 def check_proof(path: Path | str) -> Proof:
@@ -139,7 +136,7 @@ def _digest(data: dict[str, Any]) -> str:
 _STATEMENTS = {"limit cycles": LimitCycles, "orbit": Orbit, "special point": SpecialPoint}
 
 
-def _checks() -> dict[str, Callable[[Any], Outcome]]:
+def _checks() -> dict[str, Callable[[Any], str]]:
     try:
         from trimmer.proof.cycles import check_limit_cycles
         from trimmer.proof.orbit_check import check_orbit

@@ -15,7 +15,7 @@ from flint import acb, arb, fmpq, fmpq_poly
 
 from trimmer.proof.balls import PI, along_axis, hull, in_balls, positive_roots, real
 from trimmer.proof.described import Parts, corner
-from trimmer.proof.undecided import UndecidedError
+from trimmer.proof.outcome import UndecidedError
 
 Solution = tuple[arb, arb]
 """Amplitude and omega, rad/s."""

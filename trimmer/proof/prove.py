@@ -16,8 +16,8 @@ from trimmer.branches.period_maps.driven_passage import DrivenPassage
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.errors import TrimmerError
 from trimmer.loops.loops import ClosedLoop
-from trimmer.proof.modes import UncoveredError, begun_amid, equations_data, motion_data, orbit_data
-from trimmer.proof.outcome import Verdict
+from trimmer.proof.modes import begun_amid, equations_data, motion_data, orbit_data
+from trimmer.proof.outcome import UndecidedError, Verdict
 from trimmer.proof.proof import Proof, proof_of
 from trimmer.proof.terms import element_data, plant_data
 from trimmer.response.flows import flow_of, require_subject
@@ -100,7 +100,7 @@ def prove_orbit(system: Subject, orbit: Orbit) -> Proof:
     flow = orbit.flow if orbit.subject is system else flow_of(system)
     try:
         data = orbit_data(orbit, flow)
-    except UncoveredError as error:
+    except UndecidedError as error:
         return Proof("orbit", Verdict.UNDECIDED, "", str(error), {})
     return proof_of("orbit", data)
 
@@ -130,7 +130,7 @@ def prove_special_point(system: Subject, branch: FollowedBranch, special: Specia
     require_instance("special", special, SpecialPoint, "a special point")
     try:
         data = _special_data(system, branch, special)
-    except (TrimmerError, UncoveredError) as error:
+    except (TrimmerError, UndecidedError) as error:
         told = {"kind": special.kind.word, "place": branch.map.place, "value": float(special.value)}
         return Proof("special point", Verdict.UNDECIDED, "", str(error).rstrip("."), told)
     return proof_of("special point", data)
@@ -144,13 +144,13 @@ def _returns(passage: DrivenPassage) -> bool:
 def _special_data(system: Subject, branch: FollowedBranch, special: SpecialPoint) -> dict[str, Any]:
     kind, place, value = special.kind, branch.map.place, float(special.value)
     if kind not in COVERED:
-        raise UncoveredError(f"special points of the kind {kind.word} are not covered")
+        raise UndecidedError(f"special points of the kind {kind.word} are not covered")
     if special.note and kind is SpecialKind.FOLD:
-        raise UncoveredError(f"it is {special.note}, which is not covered")
+        raise UndecidedError(f"it is {special.note}, which is not covered")
     over = branch.map
     if kind is SpecialKind.SYMMETRY_BREAKING:
         if branch.finds_period or not over.is_mirror_symmetric or over.periods % 2 == 0:
-            raise UncoveredError("a symmetry breaking of what is no mirror image of itself is not covered")
+            raise UndecidedError("a symmetry breaking of what is no mirror image of itself is not covered")
         over = replace(over, mirrored=True, single=None)
     passage = over.passage(value, special.state)
     if not (over.mirrored or branch.finds_period or _returns(passage)):
@@ -159,13 +159,13 @@ def _special_data(system: Subject, branch: FollowedBranch, special: SpecialPoint
         passage = over.passage(value, over.phases(value, special.state)[0])
     flow, course = flow_of(system.with_value(place, value)), passage.course
     if flow.shifts:
-        raise UncoveredError(
+        raise UndecidedError(
             "motions that return but for a shift along which no force changes are not covered"
         )
     course = course if over.mirrored else begun_amid(course)
     motion = motion_data(course, flow, 0 if branch.finds_period else over.length)
     if motion["clock"]:
-        raise UncoveredError("special points of sampled motions are not covered")
+        raise UndecidedError("special points of sampled motions are not covered")
     if over.mirrored:
         motion["signs"] = [int(each) for each in flow.mirrored_states]
     beside = []

@@ -15,7 +15,7 @@ from flint import acb, acb_mat, arb, arb_mat
 
 from trimmer.proof.balls import about
 from trimmer.proof.following import RADIUS, Followed, Motion, identity
-from trimmer.proof.undecided import UndecidedError
+from trimmer.proof.outcome import UndecidedError
 
 MOST_ITERATIONS = 30
 

@@ -19,7 +19,7 @@ from trimmer.proof.between_events import require_no_other_events
 from trimmer.proof.following import Followed, Motion, identity
 from trimmer.proof.form import require_form, require_rest_at_start, require_shortest
 from trimmer.proof.orbit_check import require_near, taken_as_zero, unchecked
-from trimmer.proof.outcome import Outcome, Verdict
+from trimmer.proof.outcome import RefutedError, UndecidedError
 from trimmer.proof.returning import (
     Plane,
     derivative_of,
@@ -30,7 +30,6 @@ from trimmer.proof.returning import (
     solve,
 )
 from trimmer.proof.statement import SpecialPoint
-from trimmer.proof.undecided import RefutedError, UndecidedError
 
 PRECISION = 768
 """Bits."""
@@ -47,8 +46,8 @@ TOLD = 1e-9
 """Precision, relative, with which the value is told."""
 
 
-def check_special_point(data: SpecialPoint) -> Outcome:
-    """Hold a special point against the branch around it.
+def check_special_point(data: SpecialPoint) -> str:
+    """Hold a special point against the branch around it; return the theorem.
 
     Raises:
         RefutedError: if it is elsewhere.
@@ -119,7 +118,7 @@ def _secant(before: tuple[arb, arb], last: tuple[arb, arb]) -> arb | None:
     return None if change.contains(0) else arb((last[0] - last[1] * (last[0] - before[0]) / change).mid())
 
 
-def _checked(motion: Motion, data: SpecialPoint) -> Outcome:
+def _checked(motion: Motion, data: SpecialPoint) -> str:
     require_form(motion)
     branch = Branch(
         motion, _plane(motion, data.kind == "fold"), _turning if data.kind == "fold" else _crossing
@@ -141,7 +140,7 @@ def _checked(motion: Motion, data: SpecialPoint) -> Outcome:
     told = f"{float(value.mid()):.10g}"
     if not abs(value / real(exact(float(told))) - 1) < TOLD:
         raise UndecidedError("the value is enclosed too widely")
-    return Outcome(Verdict.PROVEN, _theorem(motion, data, told), "")
+    return _theorem(motion, data, told)
 
 
 def _plane(motion: Motion, is_fold: bool) -> Plane:
