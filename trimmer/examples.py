@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from trimmer.errors import TrimmerError
-from trimmer.messages import listed, near_match
+from trimmer.messages import near_or_all
 
 _PACKAGE = Path(__file__).parent
 USUAL = "thesis-play"
@@ -24,8 +24,7 @@ def examples() -> tuple[str, ...]:
 def example_text(name: str = USUAL) -> str:
     """Return the commented file of an example."""
     if name not in examples():
-        advice = near_match(name, examples()) or f"there are {listed(examples())}"
-        raise UnknownExampleError(f"there is no example {name!r}; {advice}")
+        raise UnknownExampleError(f"there is no example {name!r}; {near_or_all(name, examples())}")
     return (_folder() / f"{name}.toml").read_text(encoding="utf-8")
 
 

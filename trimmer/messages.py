@@ -48,6 +48,18 @@ def near_match(word: str, known: Iterable[str]) -> str:
     return did_you_mean(near_words(word, known))
 
 
+def near_or_all(word: str, known: Iterable[str]) -> str:
+    """Ask whether the nearest of the known words was meant; name all of them if none is near."""
+    known = tuple(known)
+    return near_match(word, known) or there_is(known)
+
+
+def there_is(known: Iterable[str]) -> str:
+    """Tell which words are known."""
+    known = tuple(known)
+    return f"there {'is' if len(known) == 1 else 'are'} {listed(known)}" if known else "there is none"
+
+
 def did_you_mean(words: Iterable[str]) -> str:
     """Ask whether one of some words was meant; empty if there is none."""
     words = tuple(words)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.messages import near_file, near_match
+from trimmer.messages import near_file, near_match, near_or_all
 
 ELEMENTS = ("friction", "inertia", "viscous", "coulomb", "relay")
 COMMANDS = (
@@ -62,6 +62,20 @@ def test_a_near_word_is_asked_for(word: str, known: tuple[str, ...], meant: str)
 )
 def test_what_is_not_near_is_not_asked_for(word: str, known: tuple[str, ...]) -> None:
     assert near_match(word, known) == ""
+
+
+@pytest.mark.parametrize(
+    ("known", "told"),
+    [
+        ([], "there is none"),
+        (["mass"], "there is mass"),
+        (["mass", "turned"], "there are mass and turned"),
+        (["sows", "mass"], "did you mean sows?"),
+    ],
+)
+def test_what_there_is_follows_a_name_that_nothing_has(known: list[str], told: str) -> None:
+    assert near_or_all("sow", known) == told
+    assert near_or_all("sow", iter(known)) == told
 
 
 def test_a_file_with_a_near_name_is_asked_for(tmp_path: Path) -> None:

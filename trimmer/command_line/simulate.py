@@ -30,7 +30,7 @@ from trimmer.command_line.system_options import (
 )
 from trimmer.errors import TrimmerError
 from trimmer.files import CSV, WAV
-from trimmer.messages import listed, near_match
+from trimmer.messages import near_or_all
 
 if TYPE_CHECKING:
     from trimmer.loops.motion import LoopMotion
@@ -116,8 +116,7 @@ def _check_output(arguments: Namespace, mechanism: Mechanism) -> None:
         raise OptionError("--output has no effect without --csv or --wav: add that, or leave it out")
     name, known = arguments.displacement, mechanism.outputs or mechanism.bodies
     if name not in known:
-        there = near_match(name, known) or f"there are {listed(known)}"
-        raise OptionError(f"--output {name}: there is no such output; {there}")
+        raise OptionError(f"--output {name}: there is no such output; {near_or_all(name, known)}")
 
 
 def _check_duration(arguments: Namespace) -> None:

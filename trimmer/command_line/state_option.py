@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from trimmer.command_line.number_options import number_in
 from trimmer.command_line.parser import OptionError
-from trimmer.messages import near_match
+from trimmer.messages import near_or_all
 
 if TYPE_CHECKING:
     from trimmer.loops.loops import Loop
@@ -51,8 +51,7 @@ def chosen_state(texts: Sequence[str], system: Mechanism | Loop) -> dict[str, tu
         if not equals or len(numbers) != len(units.get(name, numbers)):
             raise OptionError(f"--state {text}: {example}")
         if name not in units:
-            there = near_match(name, units) or f"there are {', '.join(units)}"
-            raise OptionError(f"--state {text}: {name!r} is no {what}; {there}")
+            raise OptionError(f"--state {text}: {name!r} is no {what}; {near_or_all(name, units)}")
         if name in found:
             raise OptionError(f"--state {text}: {name} was given before; give each {what} once")
         found[name] = tuple(

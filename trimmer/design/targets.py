@@ -15,7 +15,7 @@ from trimmer.mechanism.parts import OutputKind
 from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.quantities import NumberField, Range
 from trimmer.mechanism.units import UnitError, quantity
-from trimmer.messages import listed, near_match
+from trimmer.messages import listed, near_match, near_or_all, there_is
 
 
 class Measure(Enum):
@@ -189,13 +189,13 @@ def _bounds(key: str, value: object, mechanism: Mechanism, problems: list[Proble
         return
     given = value if isinstance(value, dict) else dict.fromkeys(_meant(measure, parts, mechanism), value)
     if not given and not isinstance(value, dict):
-        reason = f"no output is a displacement, so say which one this bounds; {_there(parts)}"
+        reason = f"no output is a displacement, so say which one this bounds; {there_is(parts)}"
         problems.append(Problem(("targets", key), reason, value))
     for part, bound in given.items():
         place = ("targets", key, part) if isinstance(value, dict) else ("targets", key)
         if part not in parts:
-            advice = near_match(part, parts) or _there(parts)
-            problems.append(Problem(place, f"there is no {noun} {part!r}; {advice}", bound))
+            reason = f"there is no {noun} {part!r}; {near_or_all(part, parts)}"
+            problems.append(Problem(place, reason, bound))
             continue
         unit = unit_of_measure(mechanism, measure, part)
         wanted = NumberField(unit, _EXAMPLES[unit], Range.NOT_NEGATIVE)
@@ -243,10 +243,6 @@ def is_switched(mechanism: Mechanism, measures: Iterable[Measure]) -> bool:
 def has_profile(mechanism: Mechanism) -> bool:
     """Say whether a force switches over time, so that nothing repeats."""
     return any(force.profile for force in mechanism.forces.values())
-
-
-def _there(parts: tuple[str, ...]) -> str:
-    return f"there {'is' if len(parts) == 1 else 'are'} {listed(parts)}"
 
 
 def _meant(measure: Measure, parts: tuple[str, ...], mechanism: Mechanism) -> tuple[str, ...]:

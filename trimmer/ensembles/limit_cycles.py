@@ -23,7 +23,7 @@ from trimmer.ensembles.polynomials import roots
 from trimmer.ensembles.responses import Responses, responses_of
 from trimmer.errors import UndecidedWarning
 from trimmer.linear.model import InputChannels, pin_model
-from trimmer.messages import listed, near_match
+from trimmer.messages import near_or_all
 from trimmer.parameter_kinds import Parameter, ParameterKind, reason_against
 from trimmer.parameters import ParameterError, TrimmerParameters, parameter_table
 from trimmer.showing.shown import Tabular, counted
@@ -211,7 +211,7 @@ def _arranged(
     require_instance("base", base, TrimmerParameters, "a TrimmerParameters")
     for symbol in samples:
         if symbol not in _SYMBOLS:
-            advice = near_match(str(symbol), _SYMBOLS) or f"there are {listed(_SYMBOLS)}"
+            advice = near_or_all(str(symbol), _SYMBOLS)
             raise ParameterError(f"samples: there is no parameter {symbol!r}; {advice}")
     given = {name: real_values(name, each) for name, each in {**samples, "gap": gap}.items()}
     lengths = {name: each.size for name, each in given.items() if each.ndim}

@@ -23,7 +23,7 @@ from trimmer.fitting.stray import in_words
 from trimmer.fitting.unknowns import REACH, unknowns_of
 from trimmer.fitting.weak import weak_directions
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.messages import near_match
+from trimmer.messages import near_or_all
 from trimmer.progress import progress_bar
 from trimmer.response.flows import called, flow_of, require_subject
 from trimmer.signals.faults import faults
@@ -163,8 +163,7 @@ def _check(subject: Subject, measured: Mapping[str, Signal]) -> None:
     for name, signal in measured.items():
         require_instance(f"the signal of {name}", signal, Signal, "a trimmer.Signal")
         if name not in (outputs := flow_of(subject).outputs):
-            there = near_match(name, outputs) or f"there are {', '.join(outputs) or 'none'}"
-            raise FitError(f"the {what} has no output {name!r}; {there}")
+            raise FitError(f"the {what} has no output {name!r}; {near_or_all(name, outputs)}")
 
 
 def _nothing_found(misfit: Misfit, settings: FitSettings) -> str:

@@ -23,7 +23,7 @@ from trimmer.loops.loop_signal import LoopSignal
 from trimmer.loops.loops import AT_REST, ClosedLoop, Loop, taken_start
 from trimmer.loops.plant import in_state_space, taken_system
 from trimmer.mechanism.read_only import ReadOnly
-from trimmer.messages import listed, near_match
+from trimmer.messages import near_or_all
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -154,8 +154,7 @@ class Feedback(Loop):
         if not isinstance(name, str):
             return None
         if name not in rows:
-            there = near_match(name, rows) or f"there are {listed(rows)}"
-            raise LoopError(f"no signal is called {name!r}; {there}")
+            raise LoopError(f"no signal is called {name!r}; {near_or_all(name, rows)}")
         return rows[name]
 
     def _fed(self, name: str) -> Callable[[LoopMode], Reals]:
@@ -228,10 +227,9 @@ def _named(name: str, values: Any, wanted: str) -> dict[str, Any]:
 
 
 def _missing(what: str, name: str, side: str, labels: Sequence[str]) -> str:
-    there = near_match(name, labels) or f"there are {listed(labels)}"
     return (
-        f"{what} has no partner: the plant has no {side} {name!r}; {there}. Name the signals of the plant, "
-        f"as control.ss(plant, {side}s=[...]) does"
+        f"{what} has no partner: the plant has no {side} {name!r}; {near_or_all(name, labels)}. "
+        f"Name the signals of the plant, as control.ss(plant, {side}s=[...]) does"
     )
 
 

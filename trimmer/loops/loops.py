@@ -23,7 +23,7 @@ from trimmer.loops.plant import realized, taken_system
 from trimmer.loops.system import LoopModes, LoopSystem
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.read_only import ReadOnly
-from trimmer.messages import listed, near_match
+from trimmer.messages import near_or_all
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -172,7 +172,7 @@ def taken_start(loop: Loop) -> Mapping[str, float]:
     require_instance("start", loop.start, Mapping, "a mapping of states to numbers")
     for name in loop.start:
         if name not in (labels := loop.model.state_labels):
-            there = near_match(name, labels) or f"there are {listed(labels)}"
+            there = near_or_all(name, labels)
             raise LoopError(f"the start names {name!r}, which is no state of the loop; {there}")
     return ReadOnly({name: finite_number(f"start.{name}", value) for name, value in loop.start.items()})
 

@@ -8,7 +8,7 @@ from enum import Enum
 from typing import Any
 
 from trimmer.mechanism.place_text import place_text
-from trimmer.messages import in_lines, listed, near_match, shown_value
+from trimmer.messages import in_lines, near_match, shown_value, there_is
 
 LONGEST_NAME = 300
 """Characters of a name; each is repeated in every table and message."""
@@ -77,10 +77,7 @@ def as_message_of_file(
 def no_such(kind: str, name: str, known: Iterable[str]) -> str:
     """Return the reason against a name that nothing of a kind has, with what is there."""
     known = list(known)
-    there = "there is none"
-    if known:
-        there = f"there {'is' if len(known) == 1 else 'are'} {listed(map(repr, known))}"
-    return f"there is no {kind} {name!r}; {near_match(name, known) or there}"
+    return f"there is no {kind} {name!r}; {near_match(name, known) or there_is(map(repr, known))}"
 
 
 def in_one(sentences: Sequence[str], name: str) -> str:

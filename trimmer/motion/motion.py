@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from typing import TYPE_CHECKING, Any, Protocol
 
-from trimmer.messages import listed, near_match
+from trimmer.messages import near_or_all
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.frame import to_frame
 from trimmer.showing.moments import POINTS, moments
@@ -96,8 +96,7 @@ class Motion(Tabular, Drawn):
             ValueError: if there is no such signal, or a time lies outside the motion.
         """
         if name not in self.signals:
-            there = near_match(name, self.signals) or f"there are {listed(self.signals)}"
-            raise ValueError(f"no signal is called {name!r}; {there}")
+            raise ValueError(f"no signal is called {name!r}; {near_or_all(name, self.signals)}")
         return self._read(name, times)
 
     def to_dataframe(self, points: int = POINTS) -> pandas.DataFrame:

@@ -91,25 +91,12 @@ def study_samples(
     if indices:
         samples, found = _with_indices(file, settings, runner, keeping, quiet)
     else:
-        samples, found = _drawn(file, settings, runner, keeping, quiet), {}
+        found, asked = {}, (file.subject, file.uncertainty, settings)
+        samples = sample(*asked, targets=file.targets, runner=runner, keeping=keeping, quiet=quiet)
     seconds = time.perf_counter() - begin
     rate = len(samples.trials) / seconds if not keeping.resume else math.nan
     beside = balanced_samples(samples, balanced) if balanced else None
     return SampleStudy(samples, found, beside, rate)
-
-
-def _drawn(
-    file: SampleFile, settings: SampleSettings, runner: Runner | None, keeping: Keeping, quiet: bool
-) -> Samples:
-    return sample(
-        file.subject,
-        file.uncertainty,
-        settings,
-        targets=file.targets,
-        runner=runner,
-        keeping=keeping,
-        quiet=quiet,
-    )
 
 
 def warm_up(file: SampleFile) -> None:

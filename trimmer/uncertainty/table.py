@@ -12,7 +12,7 @@ from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.mechanism.problems import Problem, in_one
 from trimmer.mechanism.quantities import if_plain, is_number
 from trimmer.mechanism.units import UnitError, quantity
-from trimmer.messages import listed, near_match
+from trimmer.messages import listed, near_match, near_or_all
 from trimmer.uncertainty.distributions import (
     Distribution,
     JointScatter,
@@ -115,8 +115,7 @@ def _place(
         return None
     if place in mechanism.places:
         return place
-    advice = near_match(place, mechanism.places) or f"there are {listed(mechanism.places)}"
-    problems.append(Problem(where, f"there is no number {place!r}; {advice}"))
+    problems.append(Problem(where, f"there is no number {place!r}; {near_or_all(place, mechanism.places)}"))
     return None
 
 

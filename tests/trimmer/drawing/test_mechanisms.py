@@ -91,7 +91,7 @@ def test_each_output_has_a_panel_and_one_that_is_not_there_is_refused() -> None:
     np.testing.assert_allclose(half.lines[0].get_ydata(), whole.lines[0].get_ydata() / 2)
     assert half.get_ylabel() == "half, peak to peak, m"
     assert points(followed.plot(new_axes(), "half"), "stable, period 1").shape == (3, 2)
-    with pytest.raises(trimmer.MechanismError, match="no output is called 'y'; there are x"):
+    with pytest.raises(trimmer.MechanismError, match="no output is called 'y'; there is x"):
         branch.plot(new_axes(), output="y")
     none = trimmer.follow(replace(mechanism, outputs={}), "frequency", 1.25, 1.3, settings=settings)
     with pytest.raises(trimmer.MechanismError, match="has no output"):

@@ -52,7 +52,7 @@ REFUSED: Mapping[str, tuple[Callable[[], object], type[Exception], str]] = {
     "names by default": (
         lambda: Feedback(control.ss(0.0, -1.0, 1.0, 0.0), {"v": RUB}),
         LoopError,
-        r"there are y\[0\]",
+        r"there is y\[0\]",
     ),
     "no drive": (
         lambda: Feedback(plant(), {"rub": RUB}, {"spring": 1.0}),

@@ -22,7 +22,7 @@ from trimmer.command_line.signals.signal_options import (
 )
 from trimmer.command_line.system_options import OF_LOOP, SOURCES, refuse_loop_options
 from trimmer.files import MECHANISM, STANDARD_INPUT, write_atomically
-from trimmer.messages import near_match
+from trimmer.messages import near_or_all
 
 if TYPE_CHECKING:
     from trimmer.loops.trimmer_loop import TrimmerLoop
@@ -203,8 +203,7 @@ def _paired(text: str, outputs: list[str]) -> tuple[str, str]:
         told = f"say which output it measures: {' or '.join(f'{output}={text}' for output in outputs)}"
         raise OptionError(f"--column {text}: {told}")
     output = text.partition("=")[0]
-    there = near_match(output, outputs) or f"there are {', '.join(outputs)}"
-    raise OptionError(f"--column {text}: there is no output {output!r}; {there}")
+    raise OptionError(f"--column {text}: there is no output {output!r}; {near_or_all(output, outputs)}")
 
 
 def _headings(file: Path) -> list[str]:

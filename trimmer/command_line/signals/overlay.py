@@ -15,7 +15,7 @@ from trimmer.command_line.patience import patience
 from trimmer.command_line.signals.signal_options import add_signal_options, chosen_recording
 from trimmer.command_line.system_options import OF_LOOP, SOURCES, refuse_loop_options
 from trimmer.files import STANDARD_INPUT
-from trimmer.messages import near_match
+from trimmer.messages import near_or_all
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -79,14 +79,13 @@ def _run(arguments: Namespace) -> int:
 def chosen_output(against: Path, mechanism: Mechanism, output: str | None) -> str:
     """Choose the output that is compared."""
     names = list(mechanism.outputs)
-    listed = ", ".join(names) or "none"
     if output is None and len(names) == 1:
         return names[0]
     if output is None:
+        listed = ", ".join(names) or "none"
         raise OptionError(f"{against}: choose the output that was measured (--output): {listed}")
     if output not in names:
-        there = near_match(output, names) or f"there are {listed}"
-        raise OptionError(f"{against}: there is no output {output!r}; {there}")
+        raise OptionError(f"{against}: there is no output {output!r}; {near_or_all(output, names)}")
     return output
 
 
@@ -95,8 +94,7 @@ def _output_of_loop(loop: TrimmerLoop, output: str | None) -> str:
 
     names = flow_of(loop).outputs
     if output is not None and output not in names:
-        there = near_match(output, names) or f"there are {', '.join(names)}"
-        raise OptionError(f"--output {output}: the loop has no such output; {there}")
+        raise OptionError(f"--output {output}: the loop has no such output; {near_or_all(output, names)}")
     return output or next(iter(names))
 
 

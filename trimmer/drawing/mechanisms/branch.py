@@ -19,7 +19,7 @@ from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, FAINT, STABLE, UNSTABLE, colour
 from trimmer.errors import MechanismError
 from trimmer.mechanism.place_text import unit_of
-from trimmer.messages import listed
+from trimmer.messages import near_or_all
 from trimmer.motion.chosen import chosen_measure
 from trimmer.response.flows import flow_of
 
@@ -92,7 +92,7 @@ def _outputs(branch: FollowedBranch) -> list[str]:
 def _chosen(branch: FollowedBranch, output: str | None) -> str:
     names = _outputs(branch)
     if output is not None and output not in names:
-        raise MechanismError(f"no output is called {output!r}; there are {listed(names)}")
+        raise MechanismError(f"no output is called {output!r}; {near_or_all(output, names)}")
     return names[0] if output is None else output
 
 

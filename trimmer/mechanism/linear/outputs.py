@@ -14,7 +14,7 @@ from trimmer.errors import MechanismError, WrongTypeError
 from trimmer.mechanism.linear.matrices import displacement_rows
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import GROUND, Contact, Link
-from trimmer.messages import listed, near_match
+from trimmer.messages import near_or_all
 
 
 class Contacts(Choice):
@@ -32,8 +32,7 @@ def with_contacts(mechanism: Mechanism, contacts: Contacts | str | Mapping[str, 
     every, given = (Contacts.CLOSED, contacts) if isinstance(contacts, Mapping) else (contacts, {})
     for name in given:
         if name not in known:
-            there = near_match(name, known) or (f"there are {listed(known)}" if known else "there is none")
-            raise MechanismError(f"no play or stop is called {name!r}; {there}")
+            raise MechanismError(f"no play or stop is called {name!r}; {near_or_all(name, known)}")
     states = dict.fromkeys(known, Contacts.chosen(every, "contacts"))
     states |= {name: Contacts.chosen(each, "contacts") for name, each in given.items()}
     closed = [name for name, each in states.items() if each is Contacts.CLOSED]

@@ -12,7 +12,7 @@ from trimmer.errors import MechanismError, WrongTypeError
 from trimmer.mechanism.coordinates import Inertia
 from trimmer.mechanism.linear.matrices import displacement_rows, linear_matrices
 from trimmer.mechanism.linear.outputs import Contacts, output_rows, with_contacts
-from trimmer.messages import listed, near_match
+from trimmer.messages import near_or_all
 
 if TYPE_CHECKING:
     import control
@@ -84,9 +84,7 @@ def _chosen(
         raise WrongTypeError(f"{what}s must be a sequence of names, not {shown(names)}")
     for name in given:
         if name not in known:
-            raise MechanismError(
-                f"no {kinds} is called {name!r}; {near_match(name, known) or f'there are {listed(known)}'}"
-            )
+            raise MechanismError(f"no {kinds} is called {name!r}; {near_or_all(name, known)}")
     return given
 
 

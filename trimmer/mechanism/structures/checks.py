@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.mechanism.problems import NOTHING, Problem
+from trimmer.mechanism.problems import NOTHING, Problem, no_such
 from trimmer.mechanism.structures.structure import LETTERS, MATRICES, ModalModel, Structure
-from trimmer.messages import listed, near_match
 
 SYMMETRIC = 1e-9
 """Largest difference of two entries that should be equal, as a share of the largest entry."""
@@ -120,8 +119,7 @@ def _names(place: Place, structure: Structure, count: int) -> Iterator[Problem]:
     else:
         for name in structure.rotations:
             if name not in names:
-                advice = near_match(name, names) or f"there are {listed(map(repr, names))}"
-                reason = f"there is no coordinate {name!r}; {advice}"
+                reason = no_such("coordinate", name, names)
                 yield Problem((*place, "rotations"), reason, list(structure.rotations))
 
 
