@@ -19,12 +19,7 @@ REACHED, LEAST = 4.0, 1e-5
 
 
 def require_no_other_events(motion: Motion, over: Followed) -> None:
-    """Enclose all event functions over each segment; hold the sizes of the file against the states there.
-
-    Raises:
-        RefutedError: if one is negative, or a size is none that the motion has.
-        UndecidedError: if one may be zero where it must not.
-    """
+    """Enclose all event functions over each segment; hold the sizes of the file against the states there."""
     largest = [arb(0)] * motion.n
     for number in range(len(motion.segments)):
         for z in _require_positive_between(motion, number, over):
@@ -79,11 +74,7 @@ def _scales(motion: Motion, segment: Segment) -> tuple[list[arb], arb]:
 
 
 def _together(segment: Segment) -> tuple[int, ...]:
-    """Return the event functions that fall with the one that ends a segment, of which they are multiples.
-
-    Raises:
-        UndecidedError: if one is none, on the states that the reset before the segment leaves.
-    """
+    """Return the event functions that fall with the one that ends a segment, of which they are multiples."""
     rows = (segment.functions * segment.reset).tolist()
     ending = rows[segment.fired or 0]
     for function in segment.together:

@@ -20,23 +20,14 @@ ROUNDED = 1e-6
 
 
 def check_limit_cycles(data: LimitCycles) -> str:
-    """Hold a list against all solutions of 1 + N(A, omega) G(j omega) = 0; return the theorem.
-
-    Raises:
-        UndecidedError: where balls do not tell.
-        RefutedError: if it is not that of all solutions.
-    """
+    """Hold a list against all solutions of 1 + N(A, omega) G(j omega) = 0; return the theorem."""
     with ctx.workprec(PRECISION):
         _compare(all_solutions(data), data)
     return _theorem(data.limit_cycles, data.omega_range)
 
 
 def all_solutions(data: LimitCycles) -> list[Solution]:
-    """Enclose all solutions, of rising omega.
-
-    Raises:
-        UndecidedError: where balls do not tell.
-    """
+    """Enclose all solutions, of rising omega."""
     num, given = fraction_of(data.plant)
     parts = Parts.of(data.element)
     if num.is_zero():

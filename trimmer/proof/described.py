@@ -49,11 +49,7 @@ class Parts:
 
     @classmethod
     def of(cls, terms: Iterable[Term]) -> Parts:
-        """Add the terms of a file.
-
-        Raises:
-            ValueError: if one is none that has a closed form, or a number is none that it may have.
-        """
+        """Add the terms of a file."""
         parts = cls()
         for term in terms:
             weight, numbers = _numbers(term)

@@ -135,9 +135,6 @@ class Motion:
     Args:
         course: The motion.
         equations: Of the system; or the statement with two of them, between which they are a straight line.
-
-    Raises:
-        RefutedError: if it does not end as it begins, or nothing says why a segment ends.
     """
 
     def __init__(self, course: Course, equations: Equations | SpecialPoint) -> None:
@@ -248,9 +245,6 @@ class Motion:
             unknown: The states at the start; what an unknown period is longer than computed, s; how far the
                 end is shifted; the number that is varied less its value, in its unit.
             with_change: Whether the derivative is wanted too.
-
-        Raises:
-            UndecidedError: if an event time is not enclosed.
         """
         if self.slopes is not None and not unknown[-1].is_zero():
             fixed = [*unknown[:-1], arb(0)]
@@ -367,11 +361,7 @@ def _moved(segment: Segment, columns: arb_mat, late: arb) -> arb_mat:
 
 
 def _event(segment: Segment, row: arb_mat, y: arb_mat) -> tuple[arb, arb]:
-    """Enclose how much later an event function falls to zero, and its rate there.
-
-    Raises:
-        UndecidedError: if an interval Newton step does not enclose it.
-    """
+    """Enclose how much later an event function falls to zero, and its rate there."""
     flow, first, z = segment.lifted[0], arb(0), y
     for _ in range(5):
         value, rate = (row * z)[0, 0], (row * (flow * z))[0, 0]

@@ -16,11 +16,7 @@ TOGETHER = 1e-9
 
 
 def require_form(motion: Motion) -> None:
-    """Hold how a motion is told against what a motion that returns is, before it is followed.
-
-    Raises:
-        RefutedError: if it is none.
-    """
+    """Hold how a motion is told against what a motion that returns is, before it is followed."""
     course, segments = motion.course, motion.segments
     first, last = course.segments[0], course.segments[-1]
     if last.fired is not None or last.at is not None or first.zeros:
@@ -47,11 +43,7 @@ def require_form(motion: Motion) -> None:
 
 
 def require_rest_at_start(motion: Motion, start: list[arb]) -> None:
-    """Hold it against the equations that nothing happens to the states where the motion begins.
-
-    Raises:
-        RefutedError: if something does.
-    """
+    """Hold it against the equations that nothing happens to the states where the motion begins."""
     z = arb_mat([[each] for each in start[: motion.n]] + motion.tables.forcing.tolist())
     jumps = ((motion.segments[0].reset - identity(motion.count)) * z).entries()
     if not all(abs(jump) < BY_LAW * size for jump, size in zip(jumps, motion.sizes, strict=True)):
@@ -59,11 +51,7 @@ def require_rest_at_start(motion: Motion, start: list[arb]) -> None:
 
 
 def require_shortest(motion: Motion, over: Followed) -> None:
-    """Hold it against the motion that it is not a shorter one several times over.
-
-    Raises:
-        UndecidedError: if it may be.
-    """
+    """Hold it against the motion that it is not a shorter one several times over."""
     told, count = motion.course.segments[:-1], len(over.ends) - 1
     rates = [segment.flow * end for segment, end in zip(motion.segments, over.ends, strict=True)]
     for times in range(2, max(count, int(motion.course.periods)) + 1):
@@ -123,11 +111,7 @@ def _size(value: arb) -> float:
 
 
 def _require_clock(course: Course, motion: Motion) -> None:
-    """Hold the times at which a clock ends segments against its samples and delays.
-
-    Raises:
-        RefutedError: if one is missing, or is none.
-    """
+    """Hold the times at which a clock ends segments against its samples and delays."""
     told = [each.at for each in course.segments if each.at is not None]
     if not course.clock and not told:
         return
@@ -150,11 +134,7 @@ def _require_clock(course: Course, motion: Motion) -> None:
 
 
 def _require_shifts(motion: Motion) -> None:
-    """Hold it against the equations that nothing changes along the shifts, but for rounding.
-
-    Raises:
-        RefutedError: if something does.
-    """
+    """Hold it against the equations that nothing changes along the shifts, but for rounding."""
     for along, _ in motion.shifts:
         way = arb_mat([[each] for each in along] + [[arb(0)] for _ in range(motion.count - motion.n)])
         for segment in motion.segments:

@@ -72,9 +72,6 @@ def orbit_data(orbit: Orbit, flow: Flow) -> dict[str, Any]:
     Args:
         orbit: The orbit.
         flow: What it is said to be a motion of; modes and resets are taken from this alone.
-
-    Raises:
-        UndecidedError: if it is none that the check covers.
     """
     if not orbit.success:
         raise UndecidedError("it does not return")
@@ -100,11 +97,7 @@ def begun_amid(course: Course) -> Course:
 
 
 def motion_data(course: Course, flow: Flow, periods: float) -> dict[str, Any]:
-    """Return the segments of a motion of some periods of the drive, 0 without one.
-
-    Raises:
-        UndecidedError: if it is none that the check covers.
-    """
+    """Return the segments of a motion of some periods of the drive, 0 without one."""
     system = flow.modes.system
     layout, log = system.layout, course.log
     seen = Seen(log, course.modes, flow.modes)
@@ -162,11 +155,7 @@ def _shifts(layout: Any) -> list[list[list[float]]]:
 
 
 def equations_data(course: Course, flow: Flow) -> dict[str, Any]:
-    """Return the numbers of the modes and events of a motion, those that a flow gives them.
-
-    Raises:
-        UndecidedError: if they are none of the same.
-    """
+    """Return the numbers of the modes and events of a motion, those that a flow gives them."""
     own, system = course.modes.system.layout, flow.modes.system
     _require_covered(course, system)
     seen = Seen(course.log, course.modes, flow.modes)

@@ -20,12 +20,7 @@ NEAR = 1e-9
 
 
 def check_orbit(data: Orbit) -> str:
-    """Hold a periodic motion against the equations of its modes; return the theorem.
-
-    Raises:
-        RefutedError: if it is elsewhere, has other events or another stability.
-        UndecidedError: if balls do not tell.
-    """
+    """Hold a periodic motion against the equations of its modes; return the theorem."""
     with ctx.workprec(ORBIT_PRECISION):
         motion = Motion(data.motion, data.equations)
         require_form(motion)
@@ -43,12 +38,7 @@ def check_orbit(data: Orbit) -> str:
 
 
 def require_near(motion: Motion, unknown: list[arb], near: float) -> None:
-    """Hold what returns against what was computed.
-
-    Raises:
-        RefutedError: if it is elsewhere.
-        UndecidedError: if that may be because it stays where it is put.
-    """
+    """Hold what returns against what was computed."""
     for i, given in enumerate(motion.start):
         if not abs(unknown[i] - given) < near * motion.sizes[i]:
             back = motion.follow(first_guess(motion)).back

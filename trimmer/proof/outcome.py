@@ -14,7 +14,7 @@ class Verdict(StrEnum):
 
 
 class UnprovenError(Exception):
-    """What a check raises; the message says why, without a full stop."""
+    """What checks raise instead of returning a theorem; the message says why, without a full stop."""
 
     verdict = Verdict.UNDECIDED
 

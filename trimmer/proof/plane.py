@@ -43,11 +43,7 @@ class Element:
     """N over flight and omega."""
 
     def __init__(self, parts: Parts) -> None:
-        """Choose what the flight is of.
-
-        Raises:
-            UndecidedError: if the closed forms do not cover the element.
-        """
+        """Choose what the flight is of."""
         self.parts = parts
         limits = [(gap / 2, place) for place, (_, gap, _, _) in enumerate(parts.plays)]
         limits += [(on, -1 - place) for place, (_, on, _) in enumerate(parts.relays)]
@@ -206,11 +202,7 @@ class Plane:
         self.examined = 0
 
     def solutions(self, omegas: tuple[float, float] | None) -> Iterator[tuple[arb, arb]]:
-        """Enclose amplitude and omega of all solutions, at all frequencies or in a range.
-
-        Raises:
-            UndecidedError: where balls do not tell.
-        """
+        """Enclose amplitude and omega of all solutions, at all frequencies or in a range."""
         lowest, highest = omegas or (self._quiet_below(), self._quiet_above())
         self._search(Box((0.0, LAST), (lowest, highest)), self._solve)
         for _, (t, omega) in self.found:

@@ -39,9 +39,6 @@ def solutions(num: fmpq_poly, den: fmpq_poly, given: fmpq_poly, parts: Parts) ->
         den: Denominator with the linear part of the element in it.
         given: The denominator without it.
         parts: The element.
-
-    Raises:
-        UndecidedError: where balls do not tell.
     """
     direction = parts.square if parts.square[1] else (fmpq(1), fmpq(0))
     (a, b), (p, q) = along_axis(num), along_axis(den)

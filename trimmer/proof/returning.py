@@ -84,9 +84,6 @@ def solve(
         plane: Of a family, what cuts it.
         guess: Where to begin; as computed if not given.
         radius: Power of two of the radius of the ball, as a share of the sizes.
-
-    Raises:
-        UndecidedError: if nothing is proven.
     """
     middle = newton(motion, plane, guess)
     radii = [each * arb(2) ** radius for each in scales(motion)]
@@ -102,11 +99,7 @@ def solve(
 
 
 def newton(motion: Motion, plane: Plane | None = None, guess: list[arb] | None = None) -> list[arb]:
-    """Find about what returns, by Newton's method.
-
-    Raises:
-        UndecidedError: if the motion cannot be followed.
-    """
+    """Find about what returns, by Newton's method."""
     middle = guess or first_guess(motion)
     plane = plane and Plane(plane.place, plane.weights, arb(plane.height.mid()))
     inverse = inverse_of(derivative_of(motion, motion.follow(middle, True), plane))
@@ -182,11 +175,7 @@ def multipliers_of(motion: Motion, over: Followed) -> tuple[bool | None, str]:
 
 
 def _largest_modulus(table: arb_mat) -> tuple[arb, arb]:
-    """Bound the largest modulus of an eigenvalue, by Gershgorin's discs in about the eigenvectors.
-
-    Raises:
-        UndecidedError: if these span nothing.
-    """
+    """Bound the largest modulus of an eigenvalue, by Gershgorin's discs in about the eigenvectors."""
     size = range(table.nrows())
     vectors = acb_mat(table.mid()).eig(right=True, algorithm="approx")[1].mid()
     try:

@@ -47,12 +47,7 @@ TOLD = 1e-9
 
 
 def check_special_point(data: SpecialPoint) -> str:
-    """Hold a special point against the branch around it; return the theorem.
-
-    Raises:
-        RefutedError: if it is elsewhere.
-        UndecidedError: if balls do not tell, or it is not covered.
-    """
+    """Hold a special point against the branch around it; return the theorem."""
     kind = data.kind
     if kind not in ("fold", "period-doubling", "symmetry-breaking"):
         raise UndecidedError(f"special points of the kind {kind} are not covered")
@@ -81,11 +76,7 @@ class Branch:
         return Plane(self.plane.place, self.plane.weights, height)
 
     def about_zero(self) -> tuple[list[arb], arb]:
-        """Find about where the test is zero, by secants; return the unknowns and the height.
-
-        Raises:
-            UndecidedError: if none is found.
-        """
+        """Find about where the test is zero, by secants; return the unknowns and the height."""
         guess, seen, height = first_guess(self.motion), list[tuple[arb, arb]](), arb(0)
         for _ in range(MOST_SECANTS):
             guess = newton(self.motion, self.at(height), guess)
@@ -100,11 +91,7 @@ class Branch:
         raise UndecidedError("no place where a sign changes was found near the point")
 
     def sign(self, guess: list[arb], height: arb) -> int:
-        """Return the sign of the test at a height.
-
-        Raises:
-            UndecidedError: if balls do not tell.
-        """
+        """Return the sign of the test at a height."""
         plane = self.at(height)
         narrow = solve(self.motion, plane, guess, NARROW)
         value = self.test(self.motion, narrow.over, plane)

@@ -142,11 +142,7 @@ class Course:
     clock: tuple[tuple[float, float], ...]
 
     def require_fits(self, equations: Equations) -> None:
-        """Hold shapes, numbers of modes and of event functions against equations.
-
-        Raises:
-            ValueError: if something does not fit.
-        """
+        """Hold shapes, numbers of modes and of event functions against equations."""
         n, forced = len(self.state), len(equations.forcing)
         size = n + forced
         _require(n == len(self.sizes) and min(self.sizes) > 0, "sizes are not positive, one for each state")
