@@ -46,10 +46,12 @@ class Returned:
 
     Attributes:
         unknown: Enclosed: start, what an unknown period is longer, and the number that is varied.
-        over: The motion from all of a ball around it in which no other returns.
+        ball: Around it, in which no other returns.
+        over: The motion from all of the ball.
     """
 
     unknown: list[arb]
+    ball: list[arb]
     over: Followed
 
 
@@ -87,7 +89,8 @@ def solve(
     """
     middle = newton(motion, plane, guess)
     radii = [each * arb(2) ** radius for each in scales(motion)]
-    over = motion.follow([m + about(r) for m, r in zip(middle, radii, strict=True)], True)
+    ball = [m + about(r) for m, r in zip(middle, radii, strict=True)]
+    over = motion.follow(ball, True)
     derivative = derivative_of(motion, over, plane)
     inverse = inverse_of(derivative)
     image = _step(motion, motion.follow(middle), middle, plane, inverse)
@@ -95,7 +98,7 @@ def solve(
     image = image + (identity(inverse.nrows()) - inverse * derivative) * reaches
     if not all(reaches[i, 0].contains_interior(image[i, 0]) for i in range(inverse.nrows())):
         raise UndecidedError("Krawczyk's operator does not map the ball of starts into itself")
-    return Returned([each + image[i, 0] for i, each in enumerate(middle)], over)
+    return Returned([each + image[i, 0] for i, each in enumerate(middle)], ball, over)
 
 
 def newton(motion: Motion, plane: Plane | None = None, guess: list[arb] | None = None) -> list[arb]:

@@ -22,6 +22,7 @@ from trimmer.proof.orbit_check import require_near, taken_as_zero, unchecked
 from trimmer.proof.outcome import RefutedError, UndecidedError
 from trimmer.proof.returning import (
     Plane,
+    Returned,
     derivative_of,
     first_guess,
     in_sizes,
@@ -90,11 +91,13 @@ class Branch:
             height = following
         raise UndecidedError("no place where a sign changes was found near the point")
 
-    def sign(self, guess: list[arb], height: arb) -> int:
-        """Return the sign of the test at a height."""
+    def sign(self, guess: list[arb], height: arb, piece: Returned) -> int:
+        """Return the sign of the test at a height, on the piece."""
         plane = self.at(height)
         narrow = solve(self.motion, plane, guess, NARROW)
         value = self.test(self.motion, narrow.over, plane)
+        if not all(each.contains(end) for each, end in zip(piece.ball, narrow.unknown, strict=True)):
+            raise UndecidedError("an end of the piece is elsewhere")
         if value.contains(0):
             raise UndecidedError("the sign of a determinant is not told")
         return 1 if value > 0 else -1
@@ -122,7 +125,7 @@ def _checked(motion: Motion, data: SpecialPoint) -> str:
     require_no_other_events(whole, piece.over)
     if not data.motion.signs:
         require_shortest(whole, piece.over)
-    if branch.sign(guess, height - half) == branch.sign(guess, height + half):
+    if branch.sign(guess, height - half, piece) == branch.sign(guess, height + half, piece):
         raise UndecidedError("nothing changes its sign")
     told = f"{float(value.mid()):.10g}"
     if not abs(value / real(exact(float(told))) - 1) < TOLD:
