@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 
 SHORTEST = 1e-9
 """Shortest sample, as a share of the slowest period."""
+A_SECOND = 1.0
+"""Taken for that period where nothing has one, s."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,12 +74,14 @@ class SampledControllers:
         Raises:
             MechanismError: if one is shorter than 1e-9 of the slowest period.
         """
-        slowest = max(slowest_period(flow), self.layout.period or 0.0)
+        moves = slowest_period(flow)
+        slowest = max(moves or A_SECOND, self.layout.period or 0.0)
+        of = "the slowest period" if moves else "a second, since no part by itself has a period"
         for name, held in self.layout.held.items():
             if held.sample < SHORTEST * slowest:
                 raise MechanismError(
                     f"{place_text(('controllers', name, 'sample'))} = {held.sample:g}: it is shorter than "
-                    f"{SHORTEST:g} of the slowest period, {slowest:.3g} s, and no motion could count so many "
+                    f"{SHORTEST:g} of {of}, {slowest:.3g} s, and no motion could count so many "
                     "samples; give a longer one, or none for a continuous controller"
                 )
 

@@ -210,8 +210,10 @@ def _steps(mechanism: Mechanism) -> tuple[list[str], str]:
 
 
 def _only(mechanism: Mechanism) -> str:
-    """Return the name of the only step."""
-    steps, there = _steps(mechanism)
+    """Return the name of the only step, or of the only one that is followed."""
+    named, there = _steps(mechanism)
+    followed = {each.reference for each in mechanism.controllers.values()}
+    steps = [each for each in named if each in followed] or named
     if not steps:
         raise MechanismError(f"nothing steps; {there}")
     if len(steps) > 1:

@@ -323,6 +323,9 @@ def test_no_sample_is_far_shorter_than_the_slowest_period() -> None:
             frequency=frequency,
         )
 
+    free = replace(axis(1e-15, None), links={})
+    with pytest.raises(MechanismError, match=r"sample = 1e-15: .* of a second, since no part"):
+        respond(free)
     for frequency, slowest in ((None, 0.4e-9 * np.pi), (0.1, 1e-8)):
         assert simulate(axis(1.01 * slowest, frequency), duration=20 * slowest).success
         for ask in (respond, lambda machine: simulate(machine, duration=1.0)):

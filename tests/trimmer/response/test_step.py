@@ -112,11 +112,19 @@ def test_a_motion_that_rests_is_shown_until_little_moves() -> None:
     assert (given.ending, given.shown_until) == ("", 0.4)
 
 
+def test_the_only_step_that_is_followed_is_taken() -> None:
+    two = STICTION.replace("path = {", "back = { step = 1.0 }\npath = {")
+    assert step_response(Mechanism.from_toml_text(two), duration=0.1).reference == "path"
+    another = STICTION[STICTION.index("[controllers.axis]") : STICTION.index("[references]")]
+    another = another.replace("axis", "other").replace("path", "back")
+    with pytest.raises(MechanismError, match=r"^back and path are steps; choose one \(--reference back\)$"):
+        step_response(Mechanism.from_toml_text(two.replace("[references]", another + "[references]")))
+
+
 @pytest.mark.parametrize(
     ("changed", "asked", "message"),
     [
         ("", {"reference": "pth"}, "there is no reference 'pth'; did you mean path?"),
-        ("path = {", {"reference": None}, "back and path are steps; choose one (--reference back)"),
         ("step = 0.5, at = 0.01", {"reference": None}, f"nothing steps; {EXAMPLE} is one"),
         ("step = 0.5, at = 0.01", {}, f"references.path is a ramp and no step; {EXAMPLE} is one"),
         ("step = 0.5", {}, "references.path.step is 0, so that there is nothing to follow; give its size"),
@@ -131,7 +139,6 @@ def test_what_is_no_step_to_follow_is_refused(changed: str, asked: dict[str, obj
     to = {
         "step = 0.5, at = 0.01": "ramp = 0.5",
         "step = 0.5": "step = 0.0",
-        "path = {": "back = { step = 1.0 }\npath = {",
         "[references]": another.replace("axis", "other") + "[references]",
     }.get(changed, "")
     mechanism = Mechanism.from_toml_text(STICTION.replace(changed, to) if changed else STICTION)
