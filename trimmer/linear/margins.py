@@ -19,7 +19,10 @@ TAKES_PART = 1e-6
 
 
 SMALLEST = 1e-9
-"""Factor of the gain down to which there are limits; at a pole on the axis it would be 0."""
+"""Factor of the gain down to which there are limits, and one over it up to which.
+
+At a pole on the axis it would be 0; at a zero infinite, as at half the sampling rate by Tustin's rule.
+"""
 
 
 class Margin(NamedTuple):
@@ -64,7 +67,7 @@ def margins_of(ratio: Callable[[float], complex], omegas: Reals, ends: Sequence[
     at_limit = [
         Margin(-1.0 / place.real, omega)
         for omega, place in ((omega, ratio(omega)) for omega in real)
-        if -1.0 / SMALLEST < place.real < 0
+        if -1.0 / SMALLEST < place.real < -SMALLEST
     ]
     sizes = np.hypot(values.real, values.imag)
     phases = [

@@ -207,3 +207,27 @@ def test_an_unstable_loop_is_told_before_anything_moves(
     assert "controllers: the linear loop is unstable with contacts closed and friction left out" in told
     assert main(["linear", str(file)]) == 0
     assert "With controllers: unstable: it grows by e in" in capsys.readouterr().out
+
+
+LAGGING = """
+[bodies]
+slide = { mass = 1.1580472022981074 }
+[links]
+drag = { between = ["ground", "slide"], damping = 0.2545758633098585 }
+[outputs]
+place = { slide = 1 }
+[controllers.axis]
+kind = "transfer"
+measure = "place"
+acts = ["ground", "slide"]
+numerator = [97.84905595783735]
+denominator = [0.3123739215764359, 1.0]
+sample = 0.005
+delay = 0.005
+"""
+
+
+def test_a_zero_at_half_the_sampling_rate_is_no_limit_of_the_gain() -> None:
+    """Tustin's 1/(T s + 1) is zero at z = -1: rounding of it gave a margin of 2.5e21."""
+    found = sampled_loops(Mechanism.from_toml_text(LAGGING))
+    assert found is not None and found.loops["axis"].upper_gain.value == np.inf
