@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from inspect import signature
 from pathlib import Path
 
 import numpy as np
@@ -232,3 +233,30 @@ def test_outputs_are_told_in_displacements_of_bodies_and_pins():
     latex = derive_mechanism_sources(mechanism).latex
     assert r"y_{\text{half}} = \frac{q_{a}}{2} + \frac{u}{2}" in latex
     assert r"y_{\text{whole}} = q_{a} - q_{a} - u" in latex
+
+
+WALLS = """
+[bodies]
+a = { mass = 2.0 }
+b = { mass = 0.5 }
+[links]
+spring = { between = ["a", "b"], stiffness = 1.0 }
+[walls]
+floor = { between = ["ground", "b"], gap = 0.1, restitution = 0.3 }
+"""
+BETWEEN = 'between = { between = ["a", "b"], gap = 0.01, restitution = 0.6 }'
+
+
+@pytest.mark.parametrize("more", ["", BETWEEN], ids=["one wall", "two walls"])
+def test_the_module_resets_velocities_by_momentum_and_restitution(more):
+    module = {}
+    exec(derive_mechanism_sources(Mechanism.from_toml_text(WALLS + more)).module, module)
+    masses, velocities = np.array([2.0, 0.5]), np.array([3.0, -2.0])
+    given = {"m_a": masses[0], "m_b": masses[1], "k_spring": 1.0, "r_floor": 0.3, "r_between": 0.6}
+    walls = {"_1": ([0.0, 1.0], 0.3), "_2": ([-1.0, 1.0], 0.6)} if more else {"": ([0.0, 1.0], 0.3)}
+    for number, (direction, restitution) in walls.items():
+        function = module[f"impact_matrix{number}"]
+        after = np.array(function(*(given[name] for name in signature(function).parameters))) @ velocities
+        assert direction @ after == pytest.approx(-restitution * (direction @ velocities))
+        impulse = masses * (after - velocities)
+        assert impulse == pytest.approx(impulse[1] * np.array(direction))
