@@ -7,7 +7,7 @@ one after the other, are alike. A motion that comes to rest is followed until it
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -82,6 +82,8 @@ def followed(
 ) -> StepEnd:
     """Follow a motion from its start through a step until it has settled, or the wait is over.
 
+    What comes to a known cycle too slowly for that ends after its first periods.
+
     Args:
         flow: What moves.
         output: The output that is looked at.
@@ -92,6 +94,7 @@ def followed(
     """
     unit = time_scale(flow, flow.rest())
     lengths = [each * unit for each in STRETCHES] if cycle is None else [n * cycle.period for n in CYCLES]
+    ends = list[StepEnd]()
     for length in lengths:
         course = flow.timed(flow.rest(), at + length)
         reached = course.ending is Ending.REACHED_END
@@ -105,9 +108,10 @@ def followed(
         begin = at + 0.5 * length if cycle is None else course.duration - cycle.period
         last = length == lengths[-1] or (cycle is None and 4 * len(course.events) > MOST_EVENTS)
         end = _end(flow, course, output, begin, wanted, cycle, AT_LAST if last else ALIKE)
+        ends.append(end)
         if last or not reached or (end.settled and not rests):
             break
-    return end
+    return replace(ends[0], mean=end.mean) if cycle is not None and not end.settled else end
 
 
 def _at_rest(

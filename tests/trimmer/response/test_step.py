@@ -145,3 +145,42 @@ def test_what_is_no_step_to_follow_is_refused(changed: str, asked: dict[str, obj
     with pytest.raises(MechanismError) as refused:
         step_response(mechanism, **{"reference": "path", **asked})
     assert str(refused.value) == message
+
+
+INDEXING = """\
+[bodies]
+motor = { inertia = 1.5e-4 }
+table = { inertia = 0.12 }
+[points]
+out = { motor = 0.05 }
+[plays]
+gear = { between = ["out", "table"], stiffness = 4000.0, damping = 2.0, gap = "0.02 deg" }
+[frictions]
+bearing = { between = ["ground", "motor"], force = 0.02, static = 0.03 }
+guide = { between = ["ground", "table"], force = 0.3, static = 0.45 }
+[outputs]
+angle = { table = 1 }
+speed = { velocity = { motor = 0.05 } }
+[controllers.axis]
+kind = "cascade"
+measure = "angle"
+speed = "speed"
+reference = "path"
+acts = ["ground", "motor"]
+kp = 54.0
+kv = 1.0
+ti = 20.0
+limit = 2.0
+[references]
+path = { step = "30 deg" }
+"""
+
+
+def test_what_comes_to_its_hunting_slowly_ends_after_a_few_periods() -> None:
+    """An integral of 20 s tears out after minutes; a disturbance halves in 46 of these periods."""
+    response = step_response(Mechanism.from_toml_text(INDEXING))
+    assert response.hunting is not None and response.hunting.period == pytest.approx(544.7, rel=1e-3)
+    assert response.motion.duration == pytest.approx(5 * response.hunting.period, rel=1e-9)
+    assert response.ending.endswith(
+        "5 times the period of what it settles to after the step, without having settled"
+    )
