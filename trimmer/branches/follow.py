@@ -28,7 +28,8 @@ from trimmer.response.by_itself.orbit_by_itself import orbit_by_itself
 from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.forced_orbit import exact_orbit, require_repeating
 from trimmer.response.orbit import NEUTRAL, Orbit
-from trimmer.response.pace import periods_of
+from trimmer.response.pace import pace_of, periods_of
+from trimmer.response.respond import respond
 from trimmer.response.settling import orbit_from_rest
 from trimmer.response.starts import instant_of
 
@@ -206,7 +207,10 @@ def _orbit_at_start(mechanism: Subject, most_periods: int, periods: int | None) 
     return orbit if orbit.success else None
 
 
-def _unsettled(subject: Subject, begin: float, most_periods: int) -> str:
+def _unsettled(subject: Mechanism | Loop, begin: float, most_periods: int) -> str:
+    if pace_of(subject) > 1:
+        told = respond(subject, most_periods=most_periods).motions[0].message
+        return f"at {begin:.10g} there is nothing to follow, since only what repeats is followed: {told[0].lower()}{told[1:]}"
     waited = periods_of(subject, most_periods)
     return (
         f"from rest at {begin:.10g} the motion has not settled within {waited}; begin at "
