@@ -210,7 +210,8 @@ def _orbit_at_start(mechanism: Subject, most_periods: int, periods: int | None) 
 def _unsettled(subject: Mechanism | Loop, begin: float, most_periods: int) -> str:
     if pace_of(subject) > 1:
         told = respond(subject, most_periods=most_periods).motions[0].message
-        return f"at {begin:.10g} there is nothing to follow, since only what repeats is followed: {told[0].lower()}{told[1:]}"
+        why = f"only what repeats is followed: {told[0].lower()}{told[1:]}"
+        return f"at {begin:.10g} there is nothing to follow, since {why}"
     waited = periods_of(subject, most_periods)
     return (
         f"from rest at {begin:.10g} the motion has not settled within {waited}; begin at "
