@@ -104,10 +104,6 @@ class DrivenNumbers:
         """
         return next(each for each in self.runs if (each.gap, each.force) == (gap, force))
 
-    def with_gap(self, gap: float) -> tuple[DrivenRun, ...]:
-        """Return the runs with a gap (m), by rising friction."""
-        return tuple(each for each in self.runs if each.gap == gap)
-
 
 def solve_driven(parameters: TrimmerParameters) -> DrivenNumbers:
     """Simulate the runs without play and with each gap, and two motions with the same pin."""

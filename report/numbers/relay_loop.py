@@ -93,7 +93,6 @@ class RelayNumbers:
         with_viscous: With a relay and a gain of ``VISCOUS``, the block of figure 5.20 on y.
         friction: The block of figure 5.20 on y', one run for each of ``IMPULSES``.
         last_turn_in_steps: What ``last_turn`` of these is in a second way, s.
-        acceleration: y'' after a unit step of the element's output, C A B.
         damping: How fast y' decays by itself at high frequency, -C A^2 B / (C A B), 1/s.
         sampled: Frequency (Hz) and amplitude over the level that a relay looked at once a step keeps up.
     """
@@ -103,7 +102,6 @@ class RelayNumbers:
     with_viscous: PeriodicCandidates
     friction: tuple[FrictionRun, ...]
     last_turn_in_steps: tuple[float, ...]
-    acceleration: float
     damping: float
     sampled: tuple[float, float]
 
@@ -118,7 +116,6 @@ def solve_relay(system: control.StateSpace) -> RelayNumbers:
         with_viscous=_candidates(A - VISCOUS * B @ C, B[:, 0], C[0]),
         friction=tuple(_with_friction(system, impulse) for impulse in IMPULSES),
         last_turn_in_steps=tuple(last_turn_in_steps(system, impulse, VISCOUS) for impulse in IMPULSES),
-        acceleration=acceleration,
         damping=-float((C @ A @ A @ B).item()) / acceleration,
         sampled=_sampled(system),
     )

@@ -52,12 +52,10 @@ class ReleasedBodiesNumbers:
     Attributes:
         runs: One for each of ``DISPLACEMENTS``.
         modes: Damped natural frequencies of the loop without play and friction, y fed back as it is, Hz.
-        decay: Their decay rates, 1/s.
     """
 
     runs: tuple[ReleasedBodies, ...]
     modes: tuple[float, ...]
-    decay: tuple[float, ...]
 
 
 def solve_released_bodies(parameters: TrimmerParameters) -> ReleasedBodiesNumbers:
@@ -68,7 +66,6 @@ def solve_released_bodies(parameters: TrimmerParameters) -> ReleasedBodiesNumber
     return ReleasedBodiesNumbers(
         runs=tuple(_run(parameters, displacement) for displacement in DISPLACEMENTS),
         modes=tuple(float(pole.imag) / TURN for pole in above),
-        decay=tuple(float(-pole.real) for pole in above),
     )
 
 

@@ -123,11 +123,6 @@ class TwinNumbers:
     loop: FrictionLoopNumbers
 
     @property
-    def subharmonic(self) -> float:
-        """Amplitude of the line at a third of the drive in ``main``, m."""
-        return self.main.twin.line(1 / 3)
-
-    @property
     def friction_for_small_gap(self) -> float:
         """Friction from which 40 µm repeat with the drive in every cell of the map, N."""
         return self.friction.from_where_on(SMALL_GAP)

@@ -16,8 +16,7 @@ from trimmer.elements import Element
 
 GRID = np.geomspace(1, 1e6, 20_000)
 FINE_GRID = np.geomspace(100, 1e5, 40_001)
-PHASE_GRID = np.geomspace(1.0, 1e5, 20_001)
-"""Angular frequencies of crossings, of solutions and of the phase, rad/s."""
+"""Angular frequencies of crossings and of solutions, rad/s."""
 STEP = 1e-6
 """Relative step of a difference."""
 LIBRARY_GAP = 1e-4

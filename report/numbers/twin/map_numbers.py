@@ -135,8 +135,3 @@ class MapNumbers:
         """Return the largest of a measure, of some cells or of all."""
         values = self.kept.measure(measure)
         return float(np.nanmax(values if cells is None else values[cells]))
-
-    def smallest(self, measure: str, cells: Cells | None = None) -> float:
-        """Return the smallest of a measure, of some cells or of all."""
-        values = self.kept.measure(measure)
-        return float(np.nanmin(values if cells is None else values[cells]))

@@ -84,5 +84,5 @@ def _value(bound: Bound, value: float | None) -> str:
 
 
 SECTION = SectionRecord(
-    "twin-design", "For the designer", (design_limits, *(_record(n, line) for n, line in enumerate(LINES)))
+    "twin-design", "For the designer", (*(_record(n, line) for n, line in enumerate(LINES)), design_limits)
 )
