@@ -118,60 +118,75 @@ def _write_flow(terms: Reals, target: ModeTables) -> None:
     size = terms.shape[1]
     for j in range(size):
         for i in range(size):
-            whole = 0.0
-            for k in range(COUNT - 1, -1, -1):
-                whole += terms[k, i, j]
+            target.screen[j, i] = 0.0
+        for k in range(COUNT - 1, -1, -1):
+            for i in range(size):
+                target.screen[j, i] += terms[k, i, j]
                 target.series[j, k * size + i] = terms[k, i, j]
-            target.screen[j, i] = whole
 
 
 @compiled
 def _expand(row: Reals, terms: Reals, taylor: Reals, sizes: Reals) -> None:
     """Write the coefficients of s^k of a functional, and the sums of the moduli of their terms."""
-    for j in range(row.size):
-        for k in range(COUNT):
-            value, modulus = 0.0, 0.0
-            for i in range(row.size):
+    for k in range(COUNT):
+        for j in range(row.size):
+            taylor[j, k] = sizes[k, j] = 0.0
+        for i in range(row.size):
+            for j in range(row.size if row[i] != 0.0 else 0):
                 term = row[i] * terms[k, i, j]
-                value += term
-                modulus += abs(term)
-            taylor[j, k] = value
-            sizes[k, j] = modulus
+                taylor[j, k] += term
+                sizes[k, j] += abs(term)
 
 
 @compiled
 def _write_screen(function: int, target: ModeTables) -> None:
     """Write the Bernstein coefficients of an event function beside those of the others."""
     size = len(target.screen)
+    first = size + function * COUNT
     for j in range(size):
         for i in range(COUNT):
-            value = 0.0
-            for k in range(COUNT):
-                value += target.taylor[function, j, k] * target.bernstein_from_taylor[0, k, i]
-            target.screen[j, size + function * COUNT + i] = value
+            target.screen[j, first + i] = 0.0
+        for k in range(COUNT):
+            value = target.taylor[function, j, k]
+            for i in range(k, COUNT if value != 0.0 else k):  # The matrix is triangular.
+                target.screen[j, first + i] += value * target.bernstein_from_taylor[0, k, i]
 
 
 @compiled
-def _sufficient(terms: Reals, level: int) -> int:
-    """Return how many terms give every entry of the flow to rounding, for fractions up to 4^-level."""
-    needed, size = 1, terms.shape[1]
-    for i in range(size):
-        for j in range(size):
-            total, weight = 0.0, 1.0
-            for k in range(COUNT):
-                total += weight * abs(terms[k, i, j])
-                weight *= 0.25**level
-            reached, weight, used = 0.0, 1.0, 0
-            while used < COUNT and total - reached > REMAINDER * total:
-                reached += weight * abs(terms[used, i, j])
-                weight *= 0.25**level
-                used += 1
-            needed = max(needed, used)
-    return needed
+def _add(term: Reals, weight: float, total: Reals) -> None:
+    """Add the moduli of terms, (n,), times a weight."""
+    for i in range(total.size):
+        total[i] += weight * abs(term[i])
+
+
+@compiled
+def _falls_short(reached: Reals, total: Reals) -> bool:
+    """Return whether a sum is not yet another to rounding in every entry, (n,)."""
+    short = 0
+    for i in range(total.size):
+        short += total[i] - reached[i] > REMAINDER * total[i]
+    return short > 0
+
+
+@compiled
+def _sufficient(terms: Reals, level: int, total: Reals, reached: Reals) -> int:
+    """Return how many terms, (K + 1, n), give every entry to rounding, for fractions up to 4^-level."""
+    used, weight = 0, 1.0
+    for i in range(total.size):
+        total[i] = reached[i] = 0.0
+    for k in range(COUNT):
+        _add(terms[k], weight, total)
+        weight *= 0.25**level
+    weight = 1.0
+    while used == 0 or (used < COUNT and _falls_short(reached, total)):
+        _add(terms[used], weight, reached)
+        weight *= 0.25**level
+        used += 1
+    return used
 
 
 def _entry(sources: bytes) -> Callable[..., float]:
-    def entry(flow: Reals, rows: Reals, target: ModeTables, room: Reals, terms: Reals) -> float:
+    def entry(flow: Reals, rows: Reals, target: ModeTables, room: Reals, terms: Reals, flat: Reals, sums: Reals) -> float:
         sources  # noqa: B018
         size = len(flow)
         rate = max(_growth(flow, room), _norm(flow, room.shape[1], size), 1.0 / LONGEST_STEP)
@@ -185,7 +200,7 @@ def _entry(sources: bytes) -> Callable[..., float]:
             _expand(rows[function], terms, target.taylor[function], target.sizes[function])
             _write_screen(function, target)
         for level in range(LEVELS):
-            target.terms[level] = _sufficient(terms, level)
+            target.terms[level] = _sufficient(flat, level, sums[0], sums[1])
         return float(step)
 
     return kept(entry)
@@ -207,5 +222,5 @@ def tabulate(flow: Reals, states: int, rows: Reals, target: ModeTables) -> float
         The length h of a step, s.
     """
     size = len(flow)
-    room, terms = np.empty((3, states, states)), np.zeros((COUNT, size, size))
-    return _compiled_entry(flow, rows, target, room, terms)
+    room, terms, sums = np.empty((3, states, states)), np.zeros((COUNT, size, size)), np.empty((2, size * size))
+    return _compiled_entry(flow, rows, target, room, terms, terms.reshape(COUNT, -1), sums)
