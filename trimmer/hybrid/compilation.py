@@ -18,6 +18,8 @@ _LEAN: dict[str, Any] = {"_nrt": False, "error_model": "numpy", "no_cfunc_wrappe
 _INSIDE: dict[str, Any] = {**_LEAN, "no_cpython_wrapper": True}
 compiled: Callable[[_Function], _Function] = numba.njit(fastmath={"contract"}, **_INSIDE)
 """Compile when a compiled function calls it. Product and sum may be one instruction, which rounds once."""
+merged: Callable[[_Function], _Function] = numba.njit(fastmath={"contract"}, forceinline=True, **_INSIDE)
+"""The same as ``compiled``, merged with its caller once it is compiled: for what is short, or called once."""
 inlined = numba.njit(inline="always")
 """Compile as a part of the function that calls it: passing many arrays to another function costs time."""
 

@@ -89,7 +89,7 @@ def _begin(log: Log, row: int, time: float, mode: int, state: Reals) -> None:
     copy(state, state.size, log.state[row])
 
 
-@compiled
+@inlined
 def _force(dense: Reals, rows: Rows | None, mode: int, forcing: Reals, state: Reals, room: Reals) -> None:
     """Begin a period: what forces the states is known exactly, and the state is made to fit what is held."""
     for i in range(forcing.size):
@@ -97,7 +97,7 @@ def _force(dense: Reals, rows: Rows | None, mode: int, forcing: Reals, state: Re
     hold(dense, rows, mode, state, room)
 
 
-@compiled
+@inlined
 def _forget(elapsed: float, zeros: Integers) -> None:
     """Forget what was known to be zero once time has gone on."""
     if elapsed > 0.0:
@@ -129,7 +129,7 @@ def _reason(
     return reason
 
 
-@compiled
+@inlined
 def _later(time: float, elapsed: float, late: float, exact: bool) -> tuple[float, float]:
     """Return a later time, and by how much the exact one is later than that, as far as it is followed."""
     longer = elapsed + late if exact else elapsed
@@ -137,7 +137,7 @@ def _later(time: float, elapsed: float, late: float, exact: bool) -> tuple[float
     return later, rounding(time, longer, later) if exact else 0.0
 
 
-@compiled
+@inlined
 def _note(reached: Reals, done: int, row: int, mode: int, time: float, late: float) -> None:
     reached[0], reached[1], reached[2], reached[3], reached[4] = done, row, mode, time, late
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.clock import TICKED, Clock, carry, instant_of
-from trimmer.hybrid.compilation import compiled, kept, sources
+from trimmer.hybrid.compilation import compiled, inlined, kept, merged, sources
 from trimmer.hybrid.linear_combination import combine, combined_moduli, copy, evaluate_terms
 from trimmer.hybrid.system import STRUCK
 from trimmer.hybrid.tables import NO_RESET, Tables
@@ -87,7 +87,7 @@ def _multiply(transposed: Reals, distances: Reals, result: Reals) -> None:
                     result[i, c] += weight * distances[j, c]
 
 
-@compiled
+@merged
 def _flow_of(series: Reals, terms: int, fraction: float, count: int, result: Reals) -> None:
     """Write the flow over a fraction of a step, transposed, for the first ``count`` states."""
     size = len(series)
@@ -99,7 +99,7 @@ def _flow_of(series: Reals, terms: int, fraction: float, count: int, result: Rea
                 result[j, i] = result[j, i] * fraction + series[j, k * size + i]
 
 
-@compiled
+@merged
 def _fit(tables: Tables, mode: int, distances: Reals, room: Reals) -> None:
     """Make distances fit what a mode holds; a state that has decayed may have begun elsewhere."""
     count, columns = distances.shape
@@ -180,7 +180,7 @@ def _by_powers(screen: Reals, steps: int, distances: Reals, room: Room) -> int:
     return 0
 
 
-@compiled
+@inlined
 def _go_on(tables: Tables, mode: int, duration: float, distances: Reals, room: Room) -> None:
     """Multiply distances by the flow of a mode over a duration, s.
 
@@ -217,7 +217,7 @@ def _falls_with(tables: Tables, mode: int, fired: int, state: Reals, rates: Real
     return False
 
 
-@compiled
+@merged
 def met(  # noqa: PLR0913
     tables: Tables,
     resets: Reals | None,
@@ -274,7 +274,7 @@ def falling(taylor: Reals, vector: Reals) -> float:
     return total
 
 
-@compiled
+@merged
 def _jump(resets: Reals | None, taylor: Reals, reset: int, distances: Reals, room: Room) -> None:
     """Multiply distances by the jump of an event; before a reset they decide how much later it comes."""
     count, columns = distances.shape
@@ -295,7 +295,7 @@ def _jump(resets: Reals | None, taylor: Reals, reset: int, distances: Reals, roo
             distances[i, c] = other[i, c] + room.after[i] * earlier
 
 
-@compiled
+@inlined
 def reset_at(tables: Tables, log: Log, first: int, last: int) -> int:
     """Return the number of the reset at an instant, ``NO_RESET`` for none, ``SEVERAL`` if a later one has."""
     found, others = NO_RESET, False
@@ -309,7 +309,7 @@ def reset_at(tables: Tables, log: Log, first: int, last: int) -> int:
     return int(found)
 
 
-@compiled
+@inlined
 def is_decided(tables: Tables, log: Log, first: int, last: int, reset: int) -> bool:
     """Return whether a reset at an instant was decided, and is not that of the tables."""
     found = False
@@ -320,7 +320,7 @@ def is_decided(tables: Tables, log: Log, first: int, last: int, reset: int) -> b
     return found
 
 
-@compiled
+@merged
 def _sampled(
     tables: Tables, clock: Clock | None, log: Log, rows: tuple[int, int], distances: Reals, room: Room
 ) -> None:

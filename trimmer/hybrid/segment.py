@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from trimmer.arrays import Integers, Reals
-from trimmer.hybrid.compilation import compiled, inlined
+from trimmer.hybrid.compilation import inlined, merged
 from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms, within
 from trimmer.hybrid.sparse import Rows, value_of
 from trimmer.hybrid.step_event import COUNT, NO_EVENT, first_event
@@ -28,7 +28,7 @@ OUT_OF_STEPS = -3
 """In place of the number of an event function: there are no steps left."""
 
 
-@compiled
+@merged
 def _step(
     series: Reals,
     rows: Rows | None,
@@ -59,7 +59,7 @@ def _step(
         evaluate_terms(room, terms[level], fraction, state)
 
 
-@compiled
+@inlined
 def _decay(left_out: bool, rates: Reals, places: Integers, duration: float, state: Reals) -> None:
     """Let the states decay that a step has left out, if it has, for a duration, s."""
     for part in range(rates.size):
@@ -67,7 +67,7 @@ def _decay(left_out: bool, rates: Reals, places: Integers, duration: float, stat
             state[places[part]] *= math.exp(-rates[part] * duration)
 
 
-@compiled
+@inlined
 def _set_margins(rates: Reals, places: Integers, negligible: Reals, state: Reals, margins: Reals) -> None:
     """Write by how much each decaying state could bring an event function to zero earlier from now on."""
     for part in range(margins.size):
@@ -91,14 +91,14 @@ def _is_near(tables: Tables, rows: Rows | None, work: Work, mode: int) -> bool:
     return near
 
 
-@compiled
+@inlined
 def rounding(first: float, second: float, total: float) -> float:
     """Return by how much a sum of two numbers is greater than what it was rounded to (Knuth's TwoSum)."""
     added = total - first
     return (first - (total - added)) + (second - added)
 
 
-@compiled
+@inlined
 def _touches_before(touches: Reals, functions: int, fraction: float) -> int:
     """Return how many event functions touch zero before a fraction of a step without crossing."""
     count = 0

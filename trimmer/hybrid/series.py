@@ -169,9 +169,12 @@ def _falls_short(reached: Reals, total: Reals) -> bool:
 
 
 @compiled
-def _sufficient(terms: Reals, level: int, total: Reals, reached: Reals) -> int:
-    """Return how many terms, (K + 1, n), give every entry to rounding, for fractions up to 4^-level."""
-    used, weight = 0, 1.0
+def _sufficient(terms: Reals, level: int) -> int:
+    """Return how many of the terms give every entry of the flow to rounding, for fractions up to 4^-level.
+
+    The terms stand in the first K + 1 rows, (K + 3, N N); the others are room.
+    """
+    total, reached, used, weight = terms[COUNT], terms[COUNT + 1], 0, 1.0
     for i in range(total.size):
         total[i] = reached[i] = 0.0
     for k in range(COUNT):
@@ -186,7 +189,7 @@ def _sufficient(terms: Reals, level: int, total: Reals, reached: Reals) -> int:
 
 
 def _entry(sources: bytes) -> Callable[..., float]:
-    def entry(flow: Reals, rows: Reals, target: ModeTables, room: Reals, terms: Reals, flat: Reals, sums: Reals) -> float:
+    def entry(flow: Reals, rows: Reals, target: ModeTables, room: Reals, terms: Reals, flat: Reals) -> float:
         sources  # noqa: B018
         size = len(flow)
         rate = max(_growth(flow, room), _norm(flow, room.shape[1], size), 1.0 / LONGEST_STEP)
@@ -200,7 +203,7 @@ def _entry(sources: bytes) -> Callable[..., float]:
             _expand(rows[function], terms, target.taylor[function], target.sizes[function])
             _write_screen(function, target)
         for level in range(LEVELS):
-            target.terms[level] = _sufficient(flat, level, sums[0], sums[1])
+            target.terms[level] = _sufficient(flat, level)
         return float(step)
 
     return kept(entry)
@@ -222,5 +225,5 @@ def tabulate(flow: Reals, states: int, rows: Reals, target: ModeTables) -> float
         The length h of a step, s.
     """
     size = len(flow)
-    room, terms, sums = np.empty((3, states, states)), np.zeros((COUNT, size, size)), np.empty((2, size * size))
-    return _compiled_entry(flow, rows, target, room, terms, terms.reshape(COUNT, -1), sums)
+    room, flat = np.empty((3, states, states)), np.zeros((COUNT + 2, size * size))
+    return _compiled_entry(flow, rows, target, room, flat[:COUNT].reshape(COUNT, size, size), flat)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.compilation import compiled, inlined
+from trimmer.hybrid.compilation import inlined, merged
 from trimmer.hybrid.decaying_root import UNSURE, decaying_root
 from trimmer.hybrid.first_root import NOWHERE, ROUNDING, first_root
 from trimmer.hybrid.linear_combination import any_below, combine, within
@@ -18,7 +18,7 @@ COUNT = DEGREE + 1
 """Coefficients of a polynomial."""
 
 
-@compiled
+@inlined
 def _zeros(  # noqa: PLR0913
     taylor: Reals,
     sizes: Reals,
@@ -49,7 +49,7 @@ def _zeros(  # noqa: PLR0913
     return zeros, ROUNDING * size
 
 
-@compiled
+@inlined
 def _root(
     bernstein: Reals,
     taylor: Reals,
@@ -78,7 +78,7 @@ def _root(
     return root, jumped, touch
 
 
-@compiled
+@merged
 def _look_ahead(  # noqa: PLR0913
     screen: Reals,
     rows: Rows | None,
@@ -96,7 +96,7 @@ def _look_ahead(  # noqa: PLR0913
         write_terms(rows, mode, step, state, terms)
 
 
-@compiled
+@merged
 def _glance(  # noqa: PLR0913
     rows: Rows | None,
     mode: int,
@@ -121,7 +121,7 @@ def _glance(  # noqa: PLR0913
     return below
 
 
-@compiled
+@merged
 def _write_taylor(dense: Reals, rows: Rows | None, state: Reals, taylor: Reals) -> None:
     """Write the coefficients of s^k of an event function, which stand there already if modes are rows."""
     if rows is None:

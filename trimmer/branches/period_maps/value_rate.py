@@ -17,7 +17,7 @@ import numpy as np
 
 from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.clock import TICKED, Clock, carried, instant_of
-from trimmer.hybrid.compilation import compiled, kept, sources
+from trimmer.hybrid.compilation import compiled, kept, merged, sources
 from trimmer.hybrid.linear_combination import combine, copy
 from trimmer.hybrid.propagation import (
     SEVERAL,
@@ -72,7 +72,7 @@ def _held(tables: Tables, slopes: Slopes, mode: int, state: Reals, tangent: Real
         tangent[i] = room.before[i] + room.after[i]
 
 
-@compiled
+@merged
 def _step(
     flow: Reals, change: Reals, step: float, terms: int, state: Reals, tangent: Reals, room: Reals
 ) -> None:
@@ -97,7 +97,7 @@ def _step(
             tangent[i] += y[i]
 
 
-@compiled
+@merged
 def _go_on(
     tables: Tables, slopes: Slopes, mode: int, duration: float, both: Reals, room: Room, terms: Reals
 ) -> None:
@@ -126,7 +126,7 @@ def _go_on(
             state[place] *= decay
 
 
-@compiled
+@merged
 def _jump(
     tables: Tables, slopes: Slopes, before: int, fired: int, reset: int, tangent: Reals, room: Room
 ) -> None:
