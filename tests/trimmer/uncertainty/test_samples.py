@@ -16,7 +16,16 @@ from trimmer.design import Measure, MeasureOfPart, Trial
 from trimmer.errors import MapFileError, UncertaintyError
 from trimmer.maps.inputs import varied
 from trimmer.runners import ProcessRunner
-from trimmer.uncertainty import Keeping, Plan, SampleFile, Samples, SampleSettings, SampleStudy, study_samples
+from trimmer.uncertainty import (
+    Keeping,
+    Plan,
+    SampleFile,
+    Samples,
+    SampleSettings,
+    SampleStudy,
+    sample_mechanism,
+    study_samples,
+)
 from trimmer.uncertainty.sample_file import sample_file_of_text
 
 TEXT = """
@@ -56,6 +65,14 @@ def test_each_is_what_respond_finds(samples) -> None:
         found = respond(varied(FILE.mechanism, FILE.uncertainty.places, trial.values))
         assert trial.value(STROKE.measure, "x") == pytest.approx(found.motion.peak_to_peak["x"], rel=1e-8)
         assert trial.period_count == found.period_count
+
+
+def test_by_its_old_name_it_warns_and_does_the_same(samples) -> None:
+    with pytest.warns(DeprecationWarning, match=r"is trimmer\.sample\(file\.subject, .*\) now$") as told:
+        old = sample_mechanism(FILE, SETTINGS, runner=SerialRunner(), quiet=True)
+    assert told[0].filename == __file__
+    assert (old.inputs.settings, old.targets) == (SETTINGS, FILE.targets)
+    np.testing.assert_array_equal(old.met, samples.met)
 
 
 def test_yield_counts_what_meets_the_targets(samples) -> None:
