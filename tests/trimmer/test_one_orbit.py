@@ -54,6 +54,7 @@ def test_guesses_that_lead_to_one_orbit_of_a_loop_give_one() -> None:
     loop = ClosedLoop(control.tf([1.0], [1.0, 3.0, 2.0, 0.0]), Relay(1.0, hysteresis=0.05))
     (predicted,) = periodic_orbits(loop)
     near = [(a * predicted.amplitude, w * predicted.omega) for a in (0.8, 1.2) for w in (0.9, 1.1)]
+    near += [(predicted.amplitude, predicted.omega / several) for several in (3, 15, 25)]  # of many periods
     (again,) = periodic_orbits(loop, near)
     assert again.period == pytest.approx(predicted.period, rel=1e-9)
 

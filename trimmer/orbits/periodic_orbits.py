@@ -19,7 +19,7 @@ from trimmer.loops.flow import LoopFlow, instant_in
 from trimmer.loops.loops import ClosedLoop
 from trimmer.orbits.balanced_start import balanced_starts
 from trimmer.orbits.describe import orbit_of_loop
-from trimmer.orbits.distinct import closed, same
+from trimmer.orbits.distinct import closed, same, shortest
 from trimmer.orbits.families import by_families
 from trimmer.orbits.guess import Start, starting_point
 from trimmer.orbits.periodic_orbit import PeriodicOrbit, in_other_loop
@@ -208,7 +208,7 @@ def _near(
     for start, trial in chain([first], balanced_starts(loop, amplitude, omega)):
         found = _shot(loop, start, trial)
         if found is not None:
-            return orbit_of_loop(*found, prediction)
+            return orbit_of_loop(*shortest(*found), prediction)
     return None
 
 
