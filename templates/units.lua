@@ -15,7 +15,7 @@ local units = set(
   "m mm µm μm nm km s ms µs μs ns min Hz kHz MHz N mN kN kg g rad dB J mJ µJ W mW V K Pa GPa % ‰ ° degrees decades "
     .. "m² mm² m/s² N² px MB kB"
 )
-local continued = set("s s/m m N decade gap gaps")
+local continued = set("s s² s/m m N decade gap gaps")
 local named = set(
   "figure figures Figure Figures equation equations Equation Equations section sections Section Sections table tables "
     .. "Table Tables listing listings Listing Listings chapter chapters Chapter Chapters appendix Appendix step Step "

@@ -9,8 +9,7 @@ from typing import Final
 from report.data.mutation import MutationMeasurement
 from report.data.statements import ThesisSection
 from report.data.text_copy import TextCopy
-from report.document.extras import Explorable, ExtraChapter, Overview, Robustness, TwinChapter
-from report.document.future_work import FutureWork
+from report.document.extras import Explorable, ExtraChapter, FutureWork, Overview, Robustness, TwinChapter
 from report.document.subject import Subject
 from report.document.thesis import Chapter, Program
 from report.judging.finding import Finding

@@ -184,28 +184,16 @@ class TwinSection:
 
 
 @dataclass(frozen=True)
-class TwinChapter(ExtraChapter):
-    """What play does in the real trimmer: beside the thesis's chapters, and not about one of them.
-
-    Attributes:
-        title: Of the chapter.
-        sections: What stands in the chapter itself.
-        advice: What was found for each line of advice.
-        loop: The exact limit cycles of the thesis's loop.
-        questions: One observation for each research question of the thesis, in their order.
-    """
+class SectionedChapter(ExtraChapter):
+    """A chapter of observations and figures in sections."""
 
     title: str
     sections: tuple[TwinSection, ...]
-    advice: TwinSection
-    loop: TwinSection
-    questions: TwinSection
 
     @property
     def items(self) -> tuple[Observation | Figure, ...]:
         """All observations and figures, in their order in the report."""
-        sections = (self.advice, self.questions, *self.sections, self.loop)
-        return tuple(item for section in sections for item in section.items)
+        return tuple(item for section in self.sections for item in section.items)
 
     @property
     def observations(self) -> tuple[Observation, ...]:
@@ -216,6 +204,36 @@ class TwinChapter(ExtraChapter):
     def figures(self) -> tuple[Figure, ...]:
         """All figures in their order."""
         return tuple(item for item in self.items if isinstance(item, Figure))
+
+
+@final
+@dataclass(frozen=True)
+class FutureWork(SectionedChapter):
+    """An answer to each question of section 6.4, in their order: a section with its figure and its limits."""
+
+
+@final
+@dataclass(frozen=True)
+class TwinChapter(SectionedChapter):
+    """What play does in the real trimmer: beside the thesis's chapters, and not about one of them.
+
+    Attributes:
+        title: Of the chapter.
+        sections: What stands in the chapter itself.
+        advice: What was found for each line of advice.
+        loop: The exact limit cycles of the thesis's loop.
+        questions: One observation for each research question of the thesis, in their order.
+    """
+
+    advice: TwinSection
+    loop: TwinSection
+    questions: TwinSection
+
+    @property
+    def items(self) -> tuple[Observation | Figure, ...]:
+        """All observations and figures, in their order in the report."""
+        sections = (self.advice, self.questions, *self.sections, self.loop)
+        return tuple(item for section in sections for item in section.items)
 
 
 @dataclass(frozen=True)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from report.document.extras import TwinSection
-from report.document.future_work import FutureWork
+from report.document.extras import FutureWork
 from report.future_work.sections import compensation, felt, harmonics, load, scatter, second_play
 from report.numbers.evidence import Evidence
 
@@ -27,10 +26,4 @@ def future_work(known: Evidence) -> FutureWork:
         KeptDataError: if data that are kept with the code are missing, or were made from something else.
         UnsupportedObservationError: if a check of an observation does not hold.
     """
-    return FutureWork(
-        TITLE,
-        tuple(
-            TwinSection(section.id, section.title, tuple(item.finished(known) for item in section.items))
-            for section in SECTIONS
-        ),
-    )
+    return FutureWork(TITLE, tuple(section.finished(known) for section in SECTIONS))

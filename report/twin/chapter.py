@@ -11,7 +11,7 @@ from report.numbers.evidence import Evidence
 from report.numbers.twin.kept_map import KeptMap
 from report.numbers.twin_numbers import TwinNumbers
 from report.twin.cell_check import MOST_OTHER, CellCheck, check_cells
-from report.twin.observation import ObservationRecord, Observed, SectionRecord
+from report.twin.observation import ObservationRecord, Observed
 from report.twin.sections import (
     branch,
     bridge,
@@ -54,15 +54,11 @@ def twin_chapter(known: Evidence, seed: int) -> TwinChapter:
     checked = of_check(check_cells(maps_of(known.twin), seed)).finished(known)
     return TwinChapter(
         TITLE,
-        tuple(_with(_finished(section, known), checked) for section in SECTIONS if section not in ELSEWHERE),
-        advice=_finished(design.SECTION, known),
-        loop=_finished(loop.SECTION, known),
-        questions=_finished(questions.SECTION, known),
+        tuple(_with(section.finished(known), checked) for section in SECTIONS if section not in ELSEWHERE),
+        advice=design.SECTION.finished(known),
+        loop=loop.SECTION.finished(known),
+        questions=questions.SECTION.finished(known),
     )
-
-
-def _finished(section: SectionRecord, known: Evidence) -> TwinSection:
-    return TwinSection(section.id, section.title, tuple(item.finished(known) for item in section.items))
 
 
 def maps_of(twin: TwinNumbers) -> list[KeptMap]:

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import final
 
-from report.document.extras import Observation
+from report.document.extras import Observation, TwinSection
 from report.judging.claim import Confirmation
 from report.judging.figure import FigureRecord
 from report.judging.record import Text, said
@@ -89,3 +89,7 @@ class SectionRecord:
     id: str
     title: str
     items: tuple[ObservationRecord | FigureRecord, ...]
+
+    def finished(self, known: Evidence) -> TwinSection:
+        """Return the section with its numbers."""
+        return TwinSection(self.id, self.title, tuple(item.finished(known) for item in self.items))

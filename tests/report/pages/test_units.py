@@ -18,6 +18,7 @@ def plain(markdown: str) -> str:
     [
         ("a gap of 40 µm, at 733.6 Hz.", "a gap of 40_µm, at 733.6_Hz."),
         ("(1.5 mm)\nof 8.1 kN/m", "(1.5_mm) of 8.1_kN/m"),
+        ("at most 60 m/s², or 3 m/s² rms", "at most 60_m/s², or 3_m/s² rms"),
         ("falls by −40 dB per decade", "falls by −40_dB per decade"),
         ("an impulse of 4 m s and 3 N s/m", "an impulse of 4_m_s and 3_N_s/m"),
         ("see figure 5.9 and Listing A.6", "see figure_5.9 and Listing_A.6"),
