@@ -63,7 +63,7 @@ def grown(seen: Seen, waited: int) -> SettledMotion:
     periods = waited + seen.window.periods
     told = (
         f"It diverges: after {periods_of(seen.flow.subject, periods)} it had not settled, and until "
-        f"{OLDER * periods} it grew in proportion to the time; nothing that it met held it."
+        f"{OLDER * periods} it grew in proportion to the time or faster; nothing that it met held it."
     )
     return _diverging(OLDER * periods, told)
 
