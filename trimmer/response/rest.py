@@ -17,6 +17,8 @@ from trimmer.motion.measures import Measures
 
 SAMPLES = 64
 """Instants in the period of the fastest wave at which forces are taken."""
+ROUNDING = 64 * float(np.finfo(float).eps)
+"""Rounding of a rate as a share of the moduli of its terms."""
 RESTING = 1e-9
 """Share of its size by which a state that is at rest changes at most in a period of the slowest mode."""
 
@@ -97,7 +99,9 @@ def at_rest(course: Course, unit: float) -> bool:
         sizes[kind] = sizes[kind].max(initial=0.0)
     flow = course.modes[course.modes.number(course.end.statuses)].flow
     extended = np.concatenate([course.end.state, layout.forcing_at(course.end.phase)])
-    rates = layout.lengths * abs((flow @ extended)[: layout.state_count]) * unit
+    rounding = ROUNDING * (abs(flow) @ abs(extended))
+    changes = abs(flow @ extended)
+    rates = layout.lengths * np.where(changes > rounding, changes, 0.0)[: layout.state_count] * unit
     speeds = layout.lengths * abs(course.end.state) * unit
     for rate in layout.rates:
         displacement = layout.kinds[0]

@@ -181,3 +181,49 @@ def test_a_slow_mode_is_waited_for_as_long_as_is_said() -> None:
     few = settled(servo(), 2)
     assert few.kind is MotionKind.UNDECIDED
     assert "most_periods=20 (--periods 20)" in few.message
+
+
+CREEPING = """
+[bodies]
+stage = { mass = 0.6668 }
+slide = { mass = 1.5767 }
+[links]
+mount = { between = ["ground", "stage"], stiffness = 63.5, damping = 3.47 }
+drag = { between = ["ground", "slide"], damping = 3.34 }
+[plays]
+joint = { between = ["stage", "slide"], stiffness = 696.6, gap = 0.003189509358403613 }
+[frictions]
+guide = { between = ["ground", "stage"], force = 0.644 }
+[outputs]
+stage = { stage = 1 }
+slide = { slide = 1 }
+[controllers.stage]
+kind = "pid"
+measure = "stage"
+reference = "stage"
+acts = ["ground", "stage"]
+kp = 18.3
+ki = 1.99
+kd = 0.466
+filter_time = 0.0088
+[controllers.slide]
+kind = "cascade"
+measure = "slide"
+reference = "slide"
+acts = ["ground", "slide"]
+kp = 2.52
+kv = 3.42
+[references]
+stage = { step = 0.3 }
+slide = { step = 0.117 }
+"""
+
+
+def test_rounding_of_large_forces_does_not_hide_a_rest() -> None:
+    """The joint pushes with what the slide's controller asks for, and the integral bears the stage."""
+    motion = settled(Mechanism.from_toml_text(CREEPING))
+    assert motion.rest is not None
+    stage, slide = (motion.rest.positions[name] for name in ("stage", "slide"))
+    pushes = 696.6 * (stage - slide - 0.5 * 0.003189509358403613)
+    assert stage == pytest.approx(0.3, rel=1e-9)
+    assert pushes == pytest.approx(2.52 * 3.42 * (slide - 0.117), rel=1e-9)

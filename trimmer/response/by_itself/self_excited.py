@@ -104,7 +104,8 @@ def self_excited(flow: Flow, instant: Instant, most_periods: int | None = None) 
     unstable = next((each for each in known if not each.stable and not each.neutral), None)
     if unstable is None and not returns[-1].chaotic and grew(reached):
         raise DivergingMotionError(
-            f"it diverges: until {waited:.6g} s it grew in proportion to the time or faster, and nothing held it"
+            f"it diverges: until {waited:.6g} s it grew in proportion to the time or faster, and nothing "
+            "held it"
         )
     return SelfExcited(waited, passed=unstable, unit=unit, returns=returns[-1])
 
