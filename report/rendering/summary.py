@@ -32,10 +32,10 @@ GRADES = {
     Grade.REPRODUCED: "reproduced",
 }
 IN_PART = {
-    Grade.CONCLUSION: "part of it changes a conclusion",
-    Grade.RESULT: "part of it is a wrong result",
-    Grade.SLIP: "part of it is a slip",
-    Grade.COPY: "part of it is possibly the copy",
+    Grade.CONCLUSION: "part changes a conclusion",
+    Grade.RESULT: "part is a wrong result",
+    Grade.SLIP: "part is a slip",
+    Grade.COPY: "part is possibly the copy",
 }
 """Of a card that has parts that are right."""
 COLOURS = {
