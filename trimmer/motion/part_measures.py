@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Self
 
 
 @dataclass(frozen=True)
@@ -28,6 +30,18 @@ class ContactMeasures:
         """The largest of the speeds, m/s; 0 without impact."""
         return max(self.impact_speeds, default=0.0)
 
+    @classmethod
+    def joined(cls, parts: Sequence[Self]) -> Self:
+        """Return what it does over several motions of one length, one after the other."""
+        forces = [each.largest_force for each in parts if each.largest_force is not None]
+        return cls(
+            _mean([each.impacts for each in parts]),
+            tuple(speed for each in parts for speed in each.impact_speeds),
+            max(forces, default=None),
+            _mean([each.share for each in parts]),
+            _mean([each.completed for each in parts]),
+        )
+
 
 @dataclass(frozen=True)
 class FrictionMeasures:
@@ -42,3 +56,12 @@ class FrictionMeasures:
     work: float
     power: float
     stick: float
+
+    @classmethod
+    def joined(cls, parts: Sequence[Self]) -> Self:
+        """Return what it does over several motions of one length, one after the other."""
+        return cls(*(_mean([getattr(each, name) for each in parts]) for name in ("work", "power", "stick")))
+
+
+def _mean(values: Sequence[float]) -> float:
+    return sum(values) / len(values)

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.motion.measures import Measures
+    from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
     from trimmer.motion.subject import Subject
     from trimmer.response.linear_lines import LinearLines
     from trimmer.response.linear_motion import LinearMotion
@@ -182,6 +183,18 @@ class SettledMotion(Shown):
         """What outputs, bodies, contacts and frictions do, if it repeats or rests; else None."""
         still = self.orbit or self.rest
         return None if still is None else still.measures
+
+    @property
+    def contacts(self) -> Mapping[str, ContactMeasures]:
+        """What each part that touches does; in the window if it does not repeat, none without events."""
+        found = self.measures or self.window
+        return {} if found is None else found.contacts
+
+    @property
+    def frictions(self) -> Mapping[str, FrictionMeasures]:
+        """What each dry friction does; in the window if it does not repeat, none without events."""
+        found = self.measures or self.window
+        return {} if found is None else found.frictions
 
     @cached_property
     def _lines(self) -> LinearLines | None:

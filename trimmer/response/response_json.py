@@ -10,6 +10,7 @@ from trimmer.response.response import MotionKind
 
 if TYPE_CHECKING:
     from trimmer.motion.measures import Measures
+    from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
     from trimmer.response.estimate import Estimate
     from trimmer.response.response import Response, SettledMotion
     from trimmer.response.rest import Rest
@@ -50,8 +51,8 @@ def motion_json(motion: SettledMotion) -> dict[str, Any]:
         "family": _is_one_of_many(motion),
         "outputs": {name: _output(motion, name) for name in motion.peak_to_peak},
         "bodies": {name: _body(each) for name, each in motion.rms_acceleration.items()},
-        "contacts": {} if motion.measures is None else _contacts(motion.measures),
-        "frictions": {} if motion.measures is None else _frictions(motion.measures),
+        "contacts": {name: _contact(each, motion.measures) for name, each in motion.contacts.items()},
+        "frictions": {name: _friction(each) for name, each in motion.frictions.items()},
         "period": None if motion.orbit is None else motion.orbit.period,
         "residual": None if motion.orbit is None else motion.orbit.residual,
         "neighbour_agrees": motion.neighbour_agrees,
@@ -123,25 +124,21 @@ def _body(acceleration: Estimate) -> dict[str, Any]:
     }
 
 
-def _contacts(measures: Measures) -> dict[str, Any]:
+def _contact(contact: ContactMeasures, repeating: Measures | None) -> dict[str, Any]:
+    """Return what a contact does; of what does not repeat without its many speeds."""
+    speeds = {} if repeating is None else {"impact_speeds": list(contact.impact_speeds)}
     return {
-        name: {
-            "impacts_per_period": each.impacts,
-            "impact_speeds": list(each.impact_speeds),
-            "impact_speed": each.impact_speed,
-            "largest_force": each.largest_force,
-            "share_of_time": each.share,
-            **({"completed_chatters": each.completed} if each.completed else {}),
-        }
-        for name, each in measures.contacts.items()
+        "impacts_per_period": contact.impacts,
+        **speeds,
+        "impact_speed": contact.impact_speed,
+        "largest_force": contact.largest_force,
+        "share_of_time": contact.share,
+        **({"completed_chatters": contact.completed} if contact.completed else {}),
     }
 
 
-def _frictions(measures: Measures) -> dict[str, Any]:
-    return {
-        name: {"work_per_period": each.work, "power": each.power, "share_of_stick": each.stick}
-        for name, each in measures.frictions.items()
-    }
+def _friction(friction: FrictionMeasures) -> dict[str, Any]:
+    return {"work_per_period": friction.work, "power": friction.power, "share_of_stick": friction.stick}
 
 
 def _spectrum(motion: SettledMotion) -> dict[str, Any] | None:

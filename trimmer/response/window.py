@@ -5,7 +5,7 @@ Without a drive the mean time of a return stands for its period; rates are per s
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -19,6 +19,7 @@ from trimmer.motion.extremes import extremes
 from trimmer.motion.flow import Flow
 from trimmer.motion.fourier import fourier
 from trimmer.motion.measures import HARMONICS
+from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 from trimmer.motion.signals import along, read
 from trimmer.response.estimate import Estimate, mean_of
 from trimmer.response.pace import pace_of
@@ -140,6 +141,33 @@ class Window:
             found[name] = Estimate(root, square.uncertainty / (2 * root) if root else 0.0)
         return found
 
+    @property
+    def contacts(self) -> Mapping[str, ContactMeasures]:
+        """What each part that touches does; the motion is followed once more for it."""
+        return self._parts[0]
+
+    @property
+    def frictions(self) -> Mapping[str, FrictionMeasures]:
+        """What each dry friction does; the motion is followed once more for it."""
+        return self._parts[1]
+
+    @cached_property
+    def _parts(self) -> tuple[Mapping[str, ContactMeasures], Mapping[str, FrictionMeasures]]:
+        flow, together = self.flow, self.together
+        rows = [(flow.contacts(row, together), flow.frictions(row, together)) for row in self._rows()]
+        contacts, frictions = zip(*rows, strict=True)
+        return (
+            {name: ContactMeasures.joined([row[name] for row in contacts]) for name in contacts[0]},
+            {name: FrictionMeasures.joined([row[name] for row in frictions]) for name in frictions[0]},
+        )
+
+    def _rows(self) -> Iterator[Course]:
+        instant = self.begin
+        for _ in self.events:
+            course = _row(self.flow, instant, self.together, self.unit)
+            yield course
+            instant = course.end
+
     @cached_property
     def peaks(self) -> Mapping[str, tuple[tuple[float, float], ...]]:
         """Frequency, Hz, and amplitude of the largest lines of each output, of whatever multiples."""
@@ -202,6 +230,14 @@ def joined(first: Window, second: Window) -> Window:
     return replace(first, end=second.end, ending=second.ending, **both)
 
 
+def _row(flow: Flow, instant: Instant, together: int, unit: float) -> Course:
+    """Return the motion over some periods, or over as many units without a drive."""
+    if flow.period:
+        return flow.course(instant, together)
+    course = flow.timed(instant, together * unit)
+    return replace(course, end=replace(course.end, phase=0.0))
+
+
 class _Watch:
     def __init__(self, flow: Flow, instant: Instant, pace: int, unit: float) -> None:
         self.flow, self.instant, self.unit = flow, instant, flow.period or unit
@@ -217,7 +253,7 @@ class _Watch:
     def over(self, periods: int) -> Window | None:
         begin, ending = self.instant, Ending.REACHED_END
         for row in range(-(-periods // self.together)):
-            course = self._course()
+            course = _row(self.flow, self.instant, self.together, self.unit)
             ending = course.ending
             if ending is not Ending.REACHED_END:
                 break
@@ -231,12 +267,6 @@ class _Watch:
         series = [*map(np.array, columns), np.concatenate(states), np.concatenate(samples)]
         found = Window(self.flow, self.sizes, begin, self.instant, ending, *series)  # type: ignore[arg-type]
         return replace(found, together=self.together, steps=self.steps, unit=self.unit)
-
-    def _course(self) -> Course:
-        if self.flow.period:
-            return self.flow.course(self.instant, self.together)
-        course = self.flow.timed(self.instant, self.together * self.unit)
-        return replace(course, end=replace(course.end, phase=0.0))
 
     def _of(self, course: Course) -> tuple[Any, ...]:
         nodes, duration = course.nodes, course.duration

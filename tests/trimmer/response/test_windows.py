@@ -55,6 +55,30 @@ def test_a_torus_has_the_numbers_of_samples_of_the_same_motion(torus: Response) 
     json.dumps(content, allow_nan=False)
 
 
+def test_contacts_and_frictions_of_a_torus_are_those_of_the_same_motion(torus: Response) -> None:
+    mechanism, content = torus.mechanism, response_json(torus)
+    periods, watched = content["drive_periods"], content["window_periods"]
+    exact = simulate(mechanism, periods / mechanism.frequency)
+    times = (100 + (np.arange(watched * SAMPLES) + 0.5) / SAMPLES) / mechanism.frequency
+    begin = simulate(mechanism, 100 / mechanism.frequency).energy
+    assert content["contacts"], "what follows would hold of nothing"
+    for name, found in content["contacts"].items():
+        speeds = [
+            event.speed
+            for event in exact.events
+            if event.kind.value == "contact made" and event.part == name and event.time > times[0]
+        ]
+        assert found["impacts_per_period"] == pytest.approx(len(speeds) / watched, abs=2 / watched)
+        assert found["impact_speed"] == pytest.approx(max(speeds), rel=1e-6)
+        force = exact.contact_force(name, times)
+        assert found["largest_force"] == pytest.approx(max(abs(force)), rel=1e-2)
+        assert found["share_of_time"] == pytest.approx(np.mean(force != 0), abs=1e-2)
+    for name, found in content["frictions"].items():
+        lost = exact.energy.frictions[name] - begin.frictions[name]
+        assert found["work_per_period"] == pytest.approx(lost / watched, rel=1e-6)
+        assert found["power"] == pytest.approx(lost / watched * mechanism.frequency, rel=1e-6)
+
+
 def test_two_windows_after_one_another_are_one(torus: Response) -> None:
     whole = torus.motion.window
     first = watch(whole.flow, whole.begin, 200)

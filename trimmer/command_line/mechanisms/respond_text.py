@@ -20,7 +20,6 @@ from trimmer.showing.shown import counted
 
 if TYPE_CHECKING:
     from trimmer.motion.flow import Flow
-    from trimmer.motion.measures import Measures
     from trimmer.response.estimate import Estimate
     from trimmer.response.response import Response, SettledMotion
     from trimmer.response.rest import Rest
@@ -96,8 +95,7 @@ def _motion(motion: SettledMotion, flow: Flow) -> Iterator[str]:
     if accelerations:
         bodies = {name: flow.units_of_body(name).acceleration for name in accelerations}
         yield from _valued("body", "rms acceleration", accelerations, bodies)
-    if motion.orbit is not None:
-        yield from _parts(motion.orbit.measures, flow)
+    yield from _parts(motion, flow)
 
 
 def _common(units: Iterable[str]) -> str:
@@ -211,13 +209,13 @@ def _headed(head: str, units: Mapping[str, str]) -> tuple[str, Mapping[str, str]
     return with_unit(head, unit), {name: "" if unit else f" {each}".rstrip() for name, each in units.items()}
 
 
-def _parts(measures: Measures, flow: Flow) -> Iterator[str]:
-    for name, each in measures.contacts.items():
+def _parts(motion: SettledMotion, flow: Flow) -> Iterator[str]:
+    for name, each in motion.contacts.items():
         if each.completed:
             yield f"  on {name} an infinite chatter is completed, {each.completed:g} per period"
-    if measures.contacts:
-        forces = any(each.largest_force is not None for each in measures.contacts.values())
-        units = {name: flow.units_of_part(name) for name in measures.contacts}
+    if motion.contacts:
+        forces = any(each.largest_force is not None for each in motion.contacts.values())
+        units = {name: flow.units_of_part(name) for name in motion.contacts}
         force, newton = _headed("largest force", {name: each.force for name, each in units.items()})
         speed, per_second = _headed("largest speed", {name: each.speed for name, each in units.items()})
         yield from table(
@@ -230,16 +228,16 @@ def _parts(measures: Measures, flow: Flow) -> Iterator[str]:
                     *([] if each.largest_force is None else [f"{each.largest_force:.6g}{newton[name]}"]),
                     f"{each.share:.2%}",
                 )
-                for name, each in measures.contacts.items()
+                for name, each in motion.contacts.items()
             ],
         )
-    if measures.frictions:
+    if motion.frictions:
         work = with_unit("work per period", flow.units.work)
         power = with_unit("power", flow.units.power)
         yield from table(
             ("friction", work, power, "time in stick"),
             [
                 (name, f"{each.work:.6g}", f"{each.power:.6g}", f"{each.stick:.2%}")
-                for name, each in measures.frictions.items()
+                for name, each in motion.frictions.items()
             ],
         )
