@@ -24,7 +24,7 @@ local named = set(
 
 -- What stands between opening and closing punctuation.
 local function bare(text)
-  return (text:gsub("^[%(%[]+", ""):gsub("[%.,;:%)%]?!]+$", ""))
+  return (text:gsub("“", ""):gsub("”", ""):gsub("^[%(%[]+", ""):gsub("[%.,;:%)%]?!]+$", ""))
 end
 
 -- A product or quotient of units, such as kN/m or N·s/m.

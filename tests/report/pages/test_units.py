@@ -25,6 +25,7 @@ def plain(markdown: str) -> str:
         ("[Eq. 2.8](#x), section [5.1](#y)", "Eq._2.8, section_5.1"),
         ("200π rad/s", "200π_rad/s"),
         ("b = 2·10⁻⁸ m", "b = 2·10⁻⁸_m"),
+        ("bounds “a stroke of 3.1 mm”, and more", "bounds “a stroke of 3.1_mm”, and more"),
         ("a rise of 36 % in 0.3 s", "a rise of 36_% in 0.3_s"),
     ],
 )
