@@ -12,7 +12,7 @@ from typing import TypeVar
 from report.judging.claim import Kind, Statement
 from report.judging.verdict import Certainty, Impact, Severity
 from trimmer.errors import TrimmerError
-from trimmer.messages import did_you_mean, listed, near_words
+from trimmer.messages import listed, near_or_all
 
 Word = TypeVar("Word", bound=Enum)
 COLUMNS = ("id", "kind", "section", "subject")
@@ -120,7 +120,7 @@ def _require_columns(path: Path, names: Sequence[str]) -> None:
     for name in names:
         known = (*COLUMNS, *FURTHER)
         if name not in known:
-            advice = did_you_mean(near_words(name, known)) or f"there are {listed(known)}"
+            advice = near_or_all(name, known)
             raise InventoryError(f"{path.name}, line 1: {name!r} is no column of it; {advice}")
         if names.count(name) > 1:
             raise InventoryError(f"{path.name}, line 1: names the column {name} twice; keep one")

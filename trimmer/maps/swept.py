@@ -15,7 +15,7 @@ from trimmer.hybrid.advance import Ending
 from trimmer.maps.jumps import Jump
 from trimmer.maps.plateau import Plateau
 from trimmer.mechanism.place_text import unit_of
-from trimmer.messages import listed
+from trimmer.messages import there_is
 from trimmer.motion.chosen import SIZES
 from trimmer.response.flows import flow_of
 from trimmer.response.pace import periods_of
@@ -155,7 +155,7 @@ class Sweep(Tabular, Drawn):
         if not self.units:
             raise MapError("there is no output, so that nothing can be drawn: give it one ([outputs])")
         if name is not None and name not in self.units:
-            raise MapError(f"no output is called {name!r}; there are {listed(self.units)}")
+            raise MapError(f"no output is called {name!r}; {there_is(self.units)}")
         return next(iter(self.units)) if name is None else name
 
     def plot(self, ax: Axes | None = None, output: str | None = None) -> Axes:

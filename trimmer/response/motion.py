@@ -23,7 +23,7 @@ from trimmer.errors import MechanismError
 from trimmer.hybrid import system
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.messages import listed, near_match
+from trimmer.messages import near_or_all
 from trimmer.motion.course import Course
 from trimmer.motion.flow import signals_of
 from trimmer.motion.motion import Motion
@@ -342,5 +342,4 @@ class MechanismMotion(Motion):
 
 def _require(kind: str, name: str, known: Collection[str]) -> None:
     if name not in known:
-        there = f"there are {listed(known)}" if known else "there is none"
-        raise MechanismError(f"no {kind} is called {name!r}; {near_match(name, known) or there}")
+        raise MechanismError(f"no {kind} is called {name!r}; {near_or_all(name, known)}")

@@ -12,7 +12,7 @@ from trimmer.arguments import finite_number, real_array, shown
 from trimmer.errors import LoopError, MechanismError, WrongTypeError
 from trimmer.hybrid.advance import Instant
 from trimmer.loops.loops import Loop
-from trimmer.messages import listed, near_match
+from trimmer.messages import listed, near_or_all
 from trimmer.motion.flow import Flow
 
 Start: TypeAlias = "Mapping[str, Any] | ArrayLike | Instant | None"
@@ -55,8 +55,7 @@ def instant_of(flow: Flow, start: Start) -> Instant:
 def _moving(flow: Flow, name: str, pair: Any) -> tuple[float, float]:
     bodies = flow.axes
     if name not in bodies:
-        there = near_match(name, bodies) or f"there are {listed(bodies)}"
-        raise MechanismError(f"the start names {name!r}, which is no body; {there}")
+        raise MechanismError(f"the start names {name!r}, which is no body; {near_or_all(name, bodies)}")
     length, speed = flow.axis_units[name]
     try:
         displacement, velocity = tuple(pair)
@@ -71,7 +70,7 @@ def _moving(flow: Flow, name: str, pair: Any) -> tuple[float, float]:
 def _state(flow: Flow, name: str, value: Any) -> tuple[float]:
     """Return the value of a state of a loop, given alone or in a pair of brackets."""
     if name not in flow.axes:
-        there = near_match(name, flow.axes) or f"there are {listed(flow.axes)}"
+        there = near_or_all(name, flow.axes)
         raise LoopError(f"the start names {name!r}, which is no state of the loop; {there}")
     (number,) = value if isinstance(value, tuple | list) and len(value) == 1 else (value,)
     return (finite_number(name, number),)
