@@ -11,7 +11,6 @@ import os
 import shutil
 import subprocess
 import sys
-import time
 import venv
 from argparse import ArgumentParser
 from dataclasses import dataclass
@@ -20,6 +19,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from benchmarks.calibration import sentence
+from benchmarks.peers.telling import shortest
 from benchmarks.problems import ask
 from benchmarks.problems.read import Digit, Problem, problems
 
@@ -56,11 +56,12 @@ HEAD = """## Peers
 
 Each peer at its defaults or at the settings of its own example, and at a finer one; ours in the same run, by
 `make peers`. A time is the shortest of up to three runs and includes what a peer needs to settle, without
-imports; ours is the second call with all that the command tells. The error is relative to the digits above.
+imports and compiling; ours, by the same rule, has all that the command tells.
+The error is relative to the digits above.
 These programs were made for more than these problems: SciPy integrates anything, python-control designs
 controllers, MuJoCo moves robots in real time, Siconos follows many contacts with friction in space.
 `trimmer follow` tells stability, all special points and the branches that part; pyHarm tells the branch, and
-AUTO-07p stability, folds and period doublings of the stop as it was smoothed, timed without its compiling.
+AUTO-07p stability, folds and period doublings of the stop as it was smoothed.
 
 {calibration}; a loop that takes much longer tells of other work beside, and then times mean little.
 {faster}
@@ -99,12 +100,8 @@ def told_by(peer: Peer, longest: float = LONGEST) -> tuple[list[dict[str, Any]],
 
 
 def ours(problem: Problem, digit: Digit) -> dict[str, Any]:
-    """Return the digit as the package finds it at the second call, with its time."""
-    value, seconds = 0.0, 0.0
-    for _ in range(2):
-        started = time.perf_counter()
-        value = ask.one(problem, digit)
-        seconds = time.perf_counter() - started
+    """Return the digit as the package finds it, with its time."""
+    value, seconds = shortest(lambda: ask.one(problem, digit))
     told = {"peer": OWN, "setting": "as it is", "problem": problem.name, "digit": digit.name}
     return {**told, "value": value, "seconds": seconds}
 
