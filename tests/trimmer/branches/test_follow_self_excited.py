@@ -232,3 +232,29 @@ def test_hunting_begins_where_the_linear_loop_loses_its_stability(stiffness: flo
     assert last.value == pytest.approx(3.0 * (2.0 + stiffness) - 2.0 * stiffness, rel=1e-9)
     assert last.period == pytest.approx(2.0 * np.pi / np.sqrt(2.0 + stiffness), rel=1e-9)
     assert "loses its stability there (Hopf)" in branch.message
+
+
+def test_impacts_alone_are_no_loss_of_stability() -> None:
+    """A control shakes a body against a rigid wall: one linear mode is met, and yet the size is decided."""
+    text = """
+        title = "Shaken against a wall"
+        bodies = { m = { mass = 1.0 } }
+        links = { k = { between = ["ground", "m"], stiffness = 1.0 } }
+        walls = { w = { between = ["ground", "m"], gap = 1.0, restitution = 0.6 } }
+        outputs = { x = { m = 1 } }
+        references = { r = { step = 0.2 } }
+        [controllers.c]
+        kind = "pid"
+        acts = ["ground", "m"]
+        measure = "x"
+        reference = "r"
+        kp = -0.05
+        ki = 0.0
+        kd = -0.3
+        filter_time = 0.01
+    """
+    shaken = Mechanism.from_toml_text(text)
+    branch = follow(shaken, "walls.w.restitution", 0.6, 0.58)
+    assert branch.reason is BranchEnd.LEFT_AT_STOP
+    settled = respond(shaken.with_value("walls.w.restitution", 0.58)).motion.orbit
+    assert branch.points[-1].period == pytest.approx(settled.period, rel=1e-9)

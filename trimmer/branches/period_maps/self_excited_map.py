@@ -157,8 +157,8 @@ class SelfExcitedPassage(DrivenPassage):
 
     @property
     def is_linear(self) -> bool:
-        """Whether it is a center of one linear mode."""
-        return len(self.course.met[0]) == 1
+        """Whether it is a center of one linear mode, whose course no event changes, such as an impact."""
+        return len(self.course.met[0]) == 1 and not self.events
 
     @cached_property
     def _change(self) -> Reals:
