@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from trimmer.command_line.file_options import add_input
+from trimmer.command_line.number_options import add_count
 from trimmer.command_line.parser import note
 from trimmer.mechanism.mechanism import Mechanism
 
@@ -28,9 +29,9 @@ def add_set_option(parser: ArgumentParser, or_of_a_loop: str = "") -> None:
     )
 
 
-def add_seed_option(parser: ArgumentParser) -> None:
-    """Add ``--seed``."""
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of the random starts (default: 0)")
+def add_seed_option(parser: ArgumentParser, of: str = "random starts") -> None:
+    """Add ``--seed`` of what is random."""
+    add_count(parser, "--seed", f"of the {of}", 0, least=0)
 
 
 def chosen_mechanism(arguments: Namespace) -> Mechanism:

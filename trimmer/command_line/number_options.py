@@ -14,29 +14,22 @@ _DIGITS = len(str(MOST)) + 1
 
 def positive(unit: str) -> Callable[[str], float]:
     """Make the type of an option whose values are positive finite numbers, in a unit."""
-
-    def number(text: str) -> float:
-        try:
-            value = float(text)
-        except ValueError:
-            value = math.nan
-        if not 0 < value < math.inf:
-            raise ArgumentTypeError(f"{shown_value(text)} is not a positive number ({unit})")
-        return of_usual_size(value, text)
-
-    return number
+    return _number("positive", f" ({unit})", lambda value: 0 < value < math.inf)
 
 
 def finite(unit: str) -> Callable[[str], float]:
     """Make the type of an option whose values are finite numbers, in a unit."""
+    return _number("finite", f" ({unit})" if unit else "", math.isfinite)
 
+
+def _number(kind: str, unit: str, fits: Callable[[float], bool]) -> Callable[[str], float]:
     def number(text: str) -> float:
         try:
             value = float(text)
         except ValueError:
             value = math.nan
-        if not math.isfinite(value):
-            raise ArgumentTypeError(f"{text!r} is not a finite number{f' ({unit})' if unit else ''}")
+        if not fits(value):
+            raise ArgumentTypeError(f"{shown_value(text)} is not a {kind} number{unit}")
         return of_usual_size(value, text)
 
     return number
@@ -50,11 +43,12 @@ def add_count(
     *,
     also: str = "",
     metavar: str = "N",
+    least: int = 1,
 ) -> None:
-    """Add an option whose value is a positive whole number; the help ends with its default, if any."""
+    """Add an option whose value is a whole number from some least one on; the help ends with its default."""
     meaning = f"{meaning} (default: {usual})" if usual is not None else meaning
     names = (name, also) if also else (name,)
-    parser.add_argument(*names, type=positive_whole, default=usual, metavar=metavar, help=meaning)
+    parser.add_argument(*names, type=_whole_from(least), default=usual, metavar=metavar, help=meaning)
 
 
 def add_positive(parser: ArgumentParser, name: str, unit: str, meaning: str, *, also: str = "") -> None:
@@ -73,8 +67,12 @@ def number_in(text: str, unit: str) -> float:
         return quantity(text, unit or "1")
 
 
-def positive_whole(text: str) -> int:
-    """Return the positive whole number that a text states, as the type of an option."""
-    if not (text.isascii() and text.isdecimal()) or not 1 <= int(text[:_DIGITS]) <= MOST:
-        raise ArgumentTypeError(f"{shown_value(text)} is not a positive whole number up to {MOST}")
-    return int(text)
+def _whole_from(least: int) -> Callable[[str], int]:
+    kind = "positive whole number" if least == 1 else f"whole number from {least}"
+
+    def number(text: str) -> int:
+        if not (text.isascii() and text.isdecimal()) or not least <= int(text[:_DIGITS]) <= MOST:
+            raise ArgumentTypeError(f"{shown_value(text)} is not a {kind} up to {MOST}")
+        return int(text)
+
+    return number

@@ -175,6 +175,13 @@ def tell(message: str) -> None:
         drop(sys.stderr)
 
 
+def exit_code(success: bool, message: str) -> int:
+    """Return 0 for what came to its end, or else tell why it did not, and return ``ENDED_EARLY``."""
+    if not success:
+        tell(message)
+    return 0 if success else ENDED_EARLY
+
+
 def note(message: str) -> None:
     """Print on standard error what is good to know and no error; nothing with ``--quiet``."""
     if not is_silenced():

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from argparse import ArgumentParser, Namespace
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.file_options import add_input
@@ -23,82 +23,28 @@ CHANNELS = ("displacement", "both")
 
 @dataclass(frozen=True)
 class ElementChoice:
-    """A choice of the option ``--element``.
+    """What a choice of ``--element`` takes.
 
     Attributes:
-        name: The word that selects the element.
-        options: The options it needs, in the order in which ``make`` takes their values.
-        make: Returns the element for the values of these options, in SI units.
-        optional: The options that it takes besides, each with the value it has if it is not given; ``make``
-            takes them after the others.
+        needed: The options that it needs, in the order of the element's arguments.
+        optional: The options that it takes besides, which are the arguments that follow, each with the value
+            it has if it is not given.
     """
 
-    name: str
-    options: tuple[str, ...]
-    make: Callable[..., Element]
-    optional: tuple[tuple[str, float], ...] = ()
+    needed: tuple[str, ...]
+    optional: Mapping[str, float] = field(default_factory=dict)
 
 
-def _friction(gap: float) -> Element:
-    from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-
-    return FrictionBacklash(gap)
-
-
-def _inertia(gap: float) -> Element:
-    from trimmer.elements.backlashes.inertia_backlash import InertiaBacklash
-
-    return InertiaBacklash(gap)
-
-
-def _viscous(gap: float, time_constant: float) -> Element:
-    from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
-
-    return ViscousBacklash(gap, time_constant)
-
-
-def _coulomb(force: float) -> Element:
-    from trimmer.elements.coulomb_friction import CoulombFriction
-
-    return CoulombFriction(force)
-
-
-def _relay(force: float, hysteresis: float, dead_zone: float) -> Element:
-    from trimmer.elements.relay import Relay
-
-    return Relay(force, hysteresis, dead_zone)
-
-
-def _saturation(threshold: float, slope: float) -> Element:
-    from trimmer.elements.saturation import Saturation
-
-    return Saturation(threshold, slope)
-
-
-def _dead_zone(threshold: float, slope: float) -> Element:
-    from trimmer.elements.dead_zone import DeadZone
-
-    return DeadZone(threshold, slope)
-
-
-def _preload(force: float, slope: float) -> Element:
-    from trimmer.elements.preload import Preload
-
-    return Preload(force, slope)
-
-
-ELEMENTS = (
-    ElementChoice("friction", ("gap",), _friction),
-    ElementChoice("inertia", ("gap",), _inertia),
-    ElementChoice("viscous", ("gap", "time_constant"), _viscous),
-    ElementChoice("coulomb", ("force",), _coulomb),
-    ElementChoice("relay", ("force",), _relay, (("hysteresis", 0.0), ("dead_zone", 0.0))),
-    ElementChoice("saturation", ("threshold",), _saturation, (("slope", 1.0),)),
-    ElementChoice("dead-zone", ("threshold",), _dead_zone, (("slope", 1.0),)),
-    ElementChoice("preload", ("force",), _preload, (("slope", 1.0),)),
-)
-
-
+ELEMENTS = {
+    "friction": ElementChoice(("gap",)),
+    "inertia": ElementChoice(("gap",)),
+    "viscous": ElementChoice(("gap", "time_constant")),
+    "coulomb": ElementChoice(("force",)),
+    "relay": ElementChoice(("force",), {"hysteresis": 0.0, "dead_zone": 0.0}),
+    "saturation": ElementChoice(("threshold",), {"slope": 1.0}),
+    "dead-zone": ElementChoice(("threshold",), {"slope": 1.0}),
+    "preload": ElementChoice(("force",), {"slope": 1.0}),
+}
 ELEMENT_OPTIONS = {
     "gap": "m",
     "time_constant": "s",
@@ -139,7 +85,7 @@ def add_element_options(parser: ArgumentParser, *, required: bool = True) -> Non
     """Add the options that choose the element, which may be left out unless required."""
     parser.add_argument(
         "--element",
-        choices=[choice.name for choice in ELEMENTS],
+        choices=list(ELEMENTS),
         required=required,
         help="backlash controlled by friction, inertia or both (viscous); Coulomb friction; relay; "
         "saturation; dead zone; preload, which is a gain and a relay",
@@ -204,22 +150,34 @@ def chosen_parameters(arguments: Namespace) -> TrimmerParameters:
 
 def chosen_element(arguments: Namespace) -> Element:
     """Return the element that the options choose."""
-    choice = next(choice for choice in ELEMENTS if choice.name == arguments.element)
-    optional = dict(choice.optional)
+    choice = ELEMENTS[arguments.element]
     for option in ELEMENT_OPTIONS:
         given = is_given(arguments, option)
-        if option not in optional and given != (option in choice.options):
+        if option not in choice.optional and given != (option in choice.needed):
             verb = "does not use" if given else "needs"
-            raise OptionError(f"--element {choice.name} {verb} {as_option(option)}")
-    for option in (*choice.options, *optional):
+            raise OptionError(f"--element {arguments.element} {verb} {as_option(option)}")
+    values = dict(choice.optional)
+    for option in (*choice.needed, *choice.optional):
         if is_given(arguments, option):
             _require_usable(arguments, option)
-    values = [getattr(arguments, option) for option in choice.options]
-    values += [
-        getattr(arguments, option) if is_given(arguments, option) else default
-        for option, default in choice.optional
-    ]
-    return choice.make(*values)
+            values[option] = getattr(arguments, option)
+    return _class_of(arguments.element)(*(values[option] for option in (*choice.needed, *choice.optional)))
+
+
+def _class_of(word: str) -> Callable[..., Element]:
+    from trimmer import elements  # which takes its time
+
+    classes: dict[str, Callable[..., Element]] = {
+        "friction": elements.FrictionBacklash,
+        "inertia": elements.InertiaBacklash,
+        "viscous": elements.ViscousBacklash,
+        "coulomb": elements.CoulombFriction,
+        "relay": elements.Relay,
+        "saturation": elements.Saturation,
+        "dead-zone": elements.DeadZone,
+        "preload": elements.Preload,
+    }
+    return classes[word]
 
 
 def _require_usable(arguments: Namespace, option: str) -> None:

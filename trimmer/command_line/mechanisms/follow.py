@@ -11,7 +11,7 @@ from trimmer.command_line.mechanisms.map_options import add_interval_options, ch
 from trimmer.command_line.mechanisms.measure_option import Targets, add_measure_option, chosen_measures
 from trimmer.command_line.number_options import add_count
 from trimmer.command_line.output_options import add_output_options, write_picture
-from trimmer.command_line.parser import ENDED_EARLY, OptionError, refuse_unused, tell
+from trimmer.command_line.parser import OptionError, exit_code, refuse_unused, tell
 from trimmer.command_line.patience import patience
 from trimmer.command_line.system_options import SOURCES, add_system_options, chosen_system
 
@@ -39,7 +39,7 @@ def _configure(parser: ArgumentParser) -> None:
         "drive periods after which the motion repeats (default: those after which it does)",
         metavar="K",
     )
-    add_count(parser, "--points", "most motions on each branch", 2000)
+    add_count(parser, "--points", "most motions on each branch", 2000, least=2)
     add_count(parser, "--wait", "drive periods to wait at A until it has settled", 2000)
     parser.add_argument(
         "--switches",
@@ -61,8 +61,6 @@ def _run(arguments: Namespace) -> int:
     from trimmer.command_line.mechanisms.follow_text import as_json, as_text
 
     check_targets(arguments, {"plot": PICTURES}, SOURCES)
-    if arguments.points < 2:
-        raise OptionError(f"--points {arguments.points}: give a whole number from 2 on")
     if arguments.harmonics is not None and arguments.harmonics > MOST_HARMONICS:
         raise OptionError(f"--harmonics {arguments.harmonics}: give at most {MOST_HARMONICS}")
     system, of_loop = chosen_system(arguments), arguments.file is None
@@ -77,10 +75,7 @@ def _run(arguments: Namespace) -> int:
     _draw(arguments, branch, measures)
     text = (as_json if arguments.json else as_text)(branch, arguments.harmonics, tuple(measures))
     show(text, arguments.plot)
-    if branch.success:
-        return 0
-    tell(branch.message)
-    return ENDED_EARLY
+    return exit_code(branch.success, branch.message)
 
 
 def _branch(arguments: Namespace, system: Mechanism | TrimmerLoop) -> FollowedBranch:

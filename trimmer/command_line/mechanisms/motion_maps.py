@@ -18,7 +18,7 @@ from trimmer.command_line.output_options import (
     add_plot_option,
     write_picture,
 )
-from trimmer.command_line.parser import INTERRUPTED, OptionError, as_option, refuse_unused, tell
+from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, tell
 from trimmer.command_line.runner_options import (
     add_runner_options,
     check_resuming,
@@ -58,20 +58,16 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _add_search_options(parser: ArgumentParser) -> None:
-    parser.add_argument(
+    add_count(
+        parser,
         "--periods",
-        "--wait",
-        type=int,
-        metavar="N",
-        help="drive periods to wait at most (default: 300); without a drive periods of the slowest mode "
+        "drive periods to wait at most (default: 300); without a drive periods of the slowest mode "
         "(default: 1700)",
+        also="--wait",
+        least=2,
     )
-    parser.add_argument(
-        "--starts",
-        type=int,
-        default=1,
-        metavar="N",
-        help="starts of each cell: rest, or the start in the file, and then random ones (default: 1)",
+    add_count(
+        parser, "--starts", "starts of each cell: rest, or the start in the file, and then random ones", 1
     )
     add_seed_option(parser)
     parser.add_argument(
@@ -120,10 +116,6 @@ def _check(arguments: Namespace) -> None:
         raise OptionError(f"--special {arguments.special}: give at most {MOST_LINES} values")
     if arguments.starts == 1:
         refuse_unused(arguments, ["seed"], "--starts, the first of which is not random")
-    for name, least in (("periods", 2), ("starts", 1), ("seed", 0)):
-        value = getattr(arguments, name)
-        if value is not None and value < least:
-            raise OptionError(f"{as_option(name)} {value}: give a whole number from {least} on")
     check_runner_options(arguments)
     targets = {"plot": PICTURES, "output": {"": MAP}}
     check_targets(arguments, targets, SOURCES)

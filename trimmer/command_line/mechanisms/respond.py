@@ -10,7 +10,7 @@ from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.mechanism_options import add_seed_option
 from trimmer.command_line.number_options import add_count
 from trimmer.command_line.output_options import add_output_options, write_picture
-from trimmer.command_line.parser import OptionError, refuse_unused, tell
+from trimmer.command_line.parser import refuse_unused, tell
 from trimmer.command_line.patience import patience
 from trimmer.command_line.system_options import (
     SOURCES,
@@ -47,8 +47,6 @@ def _run(arguments: Namespace) -> int:
 
     if arguments.starts == 1:
         refuse_unused(arguments, ["seed"], "--starts")
-    if arguments.seed < 0:
-        raise OptionError(f"--seed {arguments.seed}: must not be negative")
     check_targets(arguments, {"plot": PICTURES}, SOURCES)
     system = chosen_system(arguments)
     state = chosen_start(arguments, system)

@@ -9,6 +9,7 @@ from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.loops.loop_options import ELEMENT_OPTIONS
 from trimmer.command_line.loops.motion_options import chosen_loop
+from trimmer.command_line.mechanism_options import add_seed_option
 from trimmer.command_line.number_options import add_count
 from trimmer.command_line.output_options import add_file_option, add_output_options, write_picture
 from trimmer.command_line.parser import (
@@ -51,7 +52,7 @@ def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--plan", choices=PLANS, default=PLANS[0], help="how samples are chosen (default: %(default)s)"
     )
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of the samples (default: 0)")
+    add_seed_option(parser, "samples")
     add_count(parser, "--periods", "drive periods to wait for each to settle", 300)
     parser.add_argument(
         "--indices",
@@ -147,8 +148,6 @@ def _run_limit_cycles(arguments: Namespace) -> int:
 def _check(arguments: Namespace) -> None:
     """Refuse what cannot be meant, before any work is done."""
     check_resuming(arguments)
-    if arguments.seed < 0:
-        raise OptionError(f"--seed {arguments.seed}: give a whole number from 0 on")
     if arguments.indices and arguments.plan != PLANS[0]:
         raise OptionError("--indices chooses the samples itself: leave out --plan")
     check_runner_options(arguments)

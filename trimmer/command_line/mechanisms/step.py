@@ -10,7 +10,7 @@ from trimmer.command_line.mechanism_options import add_mechanism_options, note_c
 from trimmer.command_line.mechanisms.simulation import check_periods
 from trimmer.command_line.number_options import add_positive
 from trimmer.command_line.output_options import add_output_options, write_picture
-from trimmer.command_line.parser import ENDED_EARLY, tell
+from trimmer.command_line.parser import exit_code
 from trimmer.command_line.patience import patience
 
 
@@ -52,10 +52,7 @@ def _run(arguments: Namespace) -> int:
 
         write_picture(arguments, step_figure(response))
     show((as_json if arguments.json else as_text)(response, targets), arguments.plot)
-    if response.motion.success:
-        return 0
-    tell(response.motion.message)
-    return ENDED_EARLY
+    return exit_code(response.motion.success, response.motion.message)
 
 
 COMMAND = Command(

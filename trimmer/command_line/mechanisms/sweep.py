@@ -10,7 +10,7 @@ from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.mechanisms.map_options import add_interval_options, chosen_interval
 from trimmer.command_line.number_options import add_count
 from trimmer.command_line.output_options import add_output_options, write_picture
-from trimmer.command_line.parser import ENDED_EARLY, OptionError, tell
+from trimmer.command_line.parser import OptionError, exit_code
 from trimmer.command_line.patience import patience
 from trimmer.command_line.system_options import (
     SOURCES,
@@ -41,7 +41,8 @@ def _configure(parser: ArgumentParser) -> None:
         help="go back to A too: where the ways differ, and where each jumps, is told",
     )
     add_count(parser, "--steps", "equal steps from A to B, both of which are among the N + 1 values", 100)
-    add_count(parser, "--periods", "drive periods at each value, of which the second half is measured", 200)
+    measured = "drive periods at each value, of which the second half is measured"
+    add_count(parser, "--periods", measured, 200, least=2)
     parser.add_argument(
         "--branch",
         action="store_true",
@@ -54,17 +55,12 @@ def _run(arguments: Namespace) -> int:
     from trimmer.command_line.mechanisms.sweep_text import as_json, as_text
 
     check_targets(arguments, {"plot": PICTURES}, SOURCES)
-    if arguments.periods < 2:
-        raise OptionError(f"--periods {arguments.periods}: give a whole number from 2 on")
     system = chosen_system(arguments)
     with patience():
         swept = _swept(arguments, system)
     _draw(arguments, swept)
     show((as_json if arguments.json else as_text)(swept), arguments.plot)
-    if swept.success:
-        return 0
-    tell(swept.message)
-    return ENDED_EARLY
+    return exit_code(swept.success, swept.message)
 
 
 def _swept(arguments: Namespace, system: Mechanism | TrimmerLoop) -> Sweep:

@@ -130,8 +130,6 @@ def _check(arguments: Namespace) -> None:
         raise OptionError("mechanism and measurement cannot both be read from standard input: name a file")
     if arguments.starts == 1:
         refuse_unused(arguments, ["seed"], "--starts")
-    if arguments.seed < 0:
-        raise OptionError(f"--seed {arguments.seed}: must not be negative")
     sources = {**SOURCES, "measured": "the file of the measurement"}
     check_targets(arguments, {"output": {"": MECHANISM}, "plot": PICTURES}, sources)
 
