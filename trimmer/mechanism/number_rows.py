@@ -143,13 +143,12 @@ def quantities(part: object, kind: Kind) -> Mapping[tuple[str, ...], NumberField
     }
 
 
+def columns_of(part: object, key: str) -> tuple[str, ...]:
+    """Return what the numbers of a row are called; of a reference they are time and value."""
+    form = forms_of(part).get(key)
+    return ("time", "value") if form is None else tuple(form.numbers)
+
+
 def value_at(part: object, key: str, row: str, name: str) -> float:
     """Return a number of a list, its rows counted from 1."""
-    return float(getattr(part, key)[int(row) - 1][list(forms_of(part)[key].numbers).index(name)])
-
-
-def with_value_at(part: object, key: str, row: str, name: str, value: float) -> tuple[Row, ...]:
-    """Return a list with another number, its rows counted from 1."""
-    form, rows = forms_of(part)[key], [list(each) for each in getattr(part, key)]
-    rows[int(row) - 1][list(form.numbers).index(name)] = value
-    return taken(rows, form)
+    return float(getattr(part, key)[int(row) - 1][columns_of(part, key).index(name)])

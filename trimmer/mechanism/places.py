@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
+from typing import Any
 
 from trimmer.arguments import require_instance
 from trimmer.errors import MechanismError
 from trimmer.mechanism import number_rows
 from trimmer.mechanism.controls import reading as control_reading
 from trimmer.mechanism.controls.checks import OPTIONAL
+from trimmer.mechanism.controls.controllers import Controller
 from trimmer.mechanism.kinds import number_of_weight, numbers_of_part, numbers_of_start
 from trimmer.mechanism.mechanism import Mechanism, changed
 from trimmer.mechanism.outputs import weight_place
@@ -17,7 +20,6 @@ from trimmer.mechanism.parts import Friction
 from trimmer.mechanism.place_text import Place, advice, parse_place, place_text, split_assignment
 from trimmer.mechanism.quantities import FREQUENCY, PARTS, NumberField
 from trimmer.mechanism.read_only import ReadOnly
-from trimmer.mechanism.structures.structure import Structure
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import shown_value
 
@@ -61,57 +63,61 @@ def _weight(mechanism: Mechanism, section: str, name: str, of: str) -> NumberFie
 def value_at(mechanism: Mechanism, place: str) -> float:
     """Return the number at a place, SI units."""
     names, _ = _found(mechanism, place)
-    match names:
-        case ("frequency",):
-            if mechanism.frequency is None:
-                raise MechanismError("frequency: the mechanism has none; it moves by itself")
-            return mechanism.frequency
-        case ("drives", name):
-            return mechanism.drives[name]
-        case ("outputs" | "points", name, *_, body):
-            return getattr(mechanism, names[0])[name].weights[body]  # type: ignore[no-any-return]
-        case ("controllers" | "references" as section, name, *end):
-            return float(control_reading.value_of(getattr(mechanism, section)[name], tuple(end)))
-        case ("start", name, key):
-            return mechanism.start.get(name, (0.0, 0.0))[STATE.index(key)]
-        case (section, name, listed, row, key):
-            return number_rows.value_at(getattr(mechanism, section)[name], listed, row, key)
-    section, name, key = names
-    part = getattr(mechanism, section)[name]
-    if isinstance(part, Friction) and key == "static":
-        return part.static_force
-    if isinstance(part, Structure):
-        return part.damping_ratio or 0.0
-    return getattr(part, key)  # type: ignore[no-any-return]
+    if names == ("frequency",) and mechanism.frequency is None:
+        raise MechanismError("frequency: the mechanism has none; it moves by itself")
+    if names[0] == "start" and names[1] not in mechanism.start:
+        return 0.0
+    *before, last = _steps(mechanism, names)
+    part = _at(mechanism, before)
+    match part, last:
+        case Friction(), "static":
+            return part.static_force
+        case Controller(), "tracking":
+            return float(part.tracking_time or 0.0)
+    return _at(part, [last]) or 0.0  # a ratio that is not given damps nothing
 
 
 def with_value_at(mechanism: Mechanism, place: str, value: float | str) -> Mechanism:
     """Return the mechanism with another number, SI or with a unit, at a place: ``plays.bridge.gap``."""
     names, wanted = _found(mechanism, place)
     number = _number(names, value, wanted)
+    field, *inner = _steps(mechanism, names)
+    content, name = getattr(mechanism, names[0]), "".join(names[1:2])
+    if field == "start":
+        content = {**content, name: content.get(name, (0.0, 0.0))}
+    return changed(mechanism, names[0], _with(content, inner, number), name)
+
+
+def _steps(mechanism: Mechanism, names: Place) -> tuple[Any, ...]:
+    """Return the fields, keys and numbers in tuples that lead from a mechanism to the number at a place."""
     match names:
-        case ("frequency",):
-            return changed(mechanism, "frequency", number)
-        case ("drives", name):
-            return _with_entry(mechanism, "drives", name, number)
         case ("outputs" | "points", name, *_, body):
-            part = getattr(mechanism, names[0])[name]
-            weights = ReadOnly({**part.weights, body: number})
-            return _with_entry(mechanism, names[0], name, replace(part, weights=weights))
-        case ("controllers" | "references" as section, name, *end):
-            part = control_reading.with_value_of(getattr(mechanism, section)[name], tuple(end), number)
-            return _with_entry(mechanism, section, name, part)
+            return names[0], name, "weights", body
         case ("start", name, key):
-            state = list(mechanism.start.get(name, (0.0, 0.0)))
-            state[STATE.index(key)] = number
-            return _with_entry(mechanism, "start", name, tuple(state))
-        case (section, name, listed, row, key):
-            part = getattr(mechanism, section)[name]
-            rows = number_rows.with_value_at(part, listed, row, key, number)
-            return _with_entry(mechanism, section, name, replace(part, **{listed: rows}))
-    section, name, key = names
-    part = replace(getattr(mechanism, section)[name], **{key: number})
-    return _with_entry(mechanism, section, name, part)
+            return "start", name, STATE.index(key)
+        case (section, name, key, row, *column):
+            columns = number_rows.columns_of(getattr(mechanism, section)[name], key)
+            return section, name, key, int(row) - 1, *(columns.index(each) for each in column)
+    return names
+
+
+def _at(part: Any, steps: Sequence[Any]) -> Any:
+    for each in steps:
+        part = part[each] if isinstance(part, Mapping | tuple) else getattr(part, each)
+    return part
+
+
+def _with(part: Any, steps: Sequence[Any], number: float) -> Any:
+    """Return a part with another number where some steps lead."""
+    if not steps:
+        return number
+    first, *rest = steps
+    inner = _with(_at(part, [first]), rest, number)
+    if isinstance(part, tuple):
+        return tuple(inner if place == first else each for place, each in enumerate(part))
+    if isinstance(part, Mapping):
+        return ReadOnly({**part, first: inner})
+    return replace(part, **{first: inner})
 
 
 def assignment(text: str) -> tuple[str, float | str]:
@@ -129,10 +135,6 @@ def assignment(text: str) -> tuple[str, float | str]:
         return place_text(names), quantity(value, "1")
     except UnitError:
         return place_text(names), value
-
-
-def _with_entry(mechanism: Mechanism, section: str, name: str, entry: object) -> Mechanism:
-    return changed(mechanism, section, ReadOnly({**getattr(mechanism, section), name: entry}), name)
 
 
 def _number(names: Place, value: float | str, wanted: NumberField) -> float:

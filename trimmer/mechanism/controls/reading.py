@@ -144,7 +144,8 @@ def quantities(content: Mapping[str, Any], kinds: Mapping[str, Kind]) -> dict[Pl
             numbers = numbers_of(content, kinds, section, name)
             for key, number in numbers.items():
                 undelayed = key == "delay" and part.sample is None and part.pade is None
-                if key != "pade" and not undelayed and value_of(part, (key,)) is not None:
+                given = getattr(part, "tracking_time" if key == "tracking" else key, None)
+                if key != "pade" and not undelayed and given is not None:
                     found[section, name, key] = number
             for key in ROWS:
                 for count in range(1, len(getattr(part, key, ())) + 1):
@@ -153,27 +154,3 @@ def quantities(content: Mapping[str, Any], kinds: Mapping[str, Kind]) -> dict[Pl
                     if not of_rows:
                         found[section, name, key, str(count)] = numbers["coefficient"]
     return found
-
-
-def value_of(part: Any, place: Place) -> Any:
-    """Return the number of a part at the end of a place, such as ``kp`` or ``profile.2.time``."""
-    if place == ("tracking",):
-        return part.tracking_time
-    value: Any = getattr(part, place[0], None)
-    for each in place[1:]:
-        value = value[("time", "value").index(each) if each in ("time", "value") else int(each) - 1]
-    return value
-
-
-def with_value_of(part: Any, place: Place, number: float) -> Any:
-    """Return a part with another number at the end of a place."""
-    key, *inner = place
-    if not inner:
-        return replace(part, **{key: number})
-    rows = [list(row) if isinstance(row, tuple) else row for row in getattr(part, key)]
-    row = int(inner[0]) - 1
-    if len(inner) == 1:
-        rows[row] = number
-    else:
-        rows[row][("time", "value").index(inner[1])] = number
-    return replace(part, **{key: tuple(tuple(each) if isinstance(each, list) else each for each in rows)})
