@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from trimmer.arrays import Reals
+from trimmer.arrays import Flags, Reals
 from trimmer.errors import UncertaintyError
 from trimmer.uncertainty.distributions import Uncertainty
 from trimmer.uncertainty.points import within_cube
@@ -91,6 +91,13 @@ def indices_of(values: Reals, places: tuple[str, ...], seed: int) -> Indices:
     columns = zip(places, found["S1"], found["ST"], found["S1_conf"], found["ST_conf"], strict=True)
     indices = tuple(Index(place, *map(float, row)) for place, *row in columns)
     return Indices(tuple(sorted(indices, key=lambda each: -each.total)), int(whole.sum()), len(rows))
+
+
+def indices_where(possible: Flags, values: Reals, places: tuple[str, ...], seed: int) -> Indices:
+    """Return the indices of values of those points at which there is a sample."""
+    whole = np.full(len(possible), np.nan)
+    whole[possible] = values
+    return indices_of(whole, places, seed)
 
 
 def _problem(dimensions: int) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -18,10 +18,10 @@ from trimmer.parameter_kinds import ParameterKind
 from trimmer.parameters import TrimmerParameters, parameter_table, read_parameters
 from trimmer.showing.shown import counted
 from trimmer.uncertainty.distributions import Uncertainty
-from trimmer.uncertainty.indices import Indices, indices_of, require_independent, saltelli_points
+from trimmer.uncertainty.indices import Indices, indices_where
 from trimmer.uncertainty.parameter_file import GAP, uncertainty_of_file
-from trimmer.uncertainty.points import Plan, left_out
-from trimmer.uncertainty.sample_inputs import MOST_IMPOSSIBLE, SampleSettings
+from trimmer.uncertainty.points import left_out
+from trimmer.uncertainty.sample_inputs import MOST_IMPOSSIBLE, SampleSettings, drawn_values
 
 
 @dataclass(frozen=True)
@@ -141,14 +141,7 @@ def sample_limit_cycles(
     Raises:
         UncertaintyError: if too many samples are impossible, or indices of dependent numbers are wanted.
     """
-    count = len(file.uncertainty.scatters)
-    if indices:
-        require_independent(file.uncertainty)
-        settings = replace(settings, plan=Plan.SOBOL)
-        shares = saltelli_points(count, Plan.SOBOL.count(settings.count), settings.seed)
-    else:
-        shares = settings.plan.points(settings.plan.count(settings.count), count, settings.seed)
-    values = file.uncertainty.values(shares)
+    settings, values = drawn_values(file.uncertainty, settings, indices=indices)
     possible = _possible(file, values)
     begin = time.perf_counter()
     found = _limit_cycles(file, values[possible], output, channels)
@@ -191,9 +184,5 @@ def _indices(
         "its amplitude": amplitude,
         "its frequency": frequency,
     }
-    told = {}
-    for name, column in quantities.items():
-        whole = np.full(len(possible), np.nan)
-        whole[possible] = column
-        told[name] = indices_of(whole, file.uncertainty.places, seed)
-    return told
+    places = file.uncertainty.places
+    return {name: indices_where(possible, column, places, seed) for name, column in quantities.items()}

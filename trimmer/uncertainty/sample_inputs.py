@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import require_subject
 from trimmer.uncertainty.distributions import Uncertainty
+from trimmer.uncertainty.indices import require_independent, saltelli_points
 from trimmer.uncertainty.points import Plan
 
 MOST_IMPOSSIBLE = 0.01
@@ -65,17 +66,31 @@ class SampleInputs:
     possible: Flags
 
 
-def sample_inputs(subject: Subject, uncertainty: Uncertainty, settings: SampleSettings) -> SampleInputs:
-    """Draw samples; errors are those of ``inputs_at``."""
-    count = settings.plan.count(settings.count)
-    shares = settings.plan.points(count, len(uncertainty.scatters), settings.seed)
-    return inputs_at(subject, uncertainty, settings, uncertainty.values(shares))
+def drawn_values(
+    uncertainty: Uncertainty, settings: SampleSettings, *, indices: bool = False
+) -> tuple[SampleSettings, Reals]:
+    """Draw values, (n, numbers); those for Sobol indices follow his sequence, as the settings say then."""
+    numbers = len(uncertainty.scatters)
+    if indices:
+        require_independent(uncertainty)
+        settings = replace(settings, plan=Plan.SOBOL)
+        shares = saltelli_points(numbers, settings.plan.count(settings.count), settings.seed)
+    else:
+        shares = settings.plan.points(settings.plan.count(settings.count), numbers, settings.seed)
+    return settings, uncertainty.values(shares)
 
 
-def inputs_at(
-    subject: Subject, uncertainty: Uncertainty, settings: SampleSettings, values: Reals
+def sample_inputs(
+    subject: Subject, uncertainty: Uncertainty, settings: SampleSettings, *, indices: bool = False
 ) -> SampleInputs:
-    """Return samples of given values, shape (n, numbers), after it was checked which are possible."""
+    """Draw samples, and check which of them are possible.
+
+    Raises:
+        UncertaintyError: if nothing drives the subject, too many samples are impossible, or indices of
+            dependent numbers are wanted.
+        MechanismError: if there is no number at a place.
+    """
+    settings, values = drawn_values(uncertainty, settings, indices=indices)
     require_subject(subject)
     if subject.frequency is None and not (isinstance(subject, Mechanism) and subject.controllers):
         what = "mechanism has no frequency" if isinstance(subject, Mechanism) else "loop has no drive"

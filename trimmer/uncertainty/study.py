@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -17,12 +17,11 @@ from trimmer.harmonics.balance import require_balanceable
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.runners.runner import Runner
 from trimmer.uncertainty.balance import BalancedSamples, balanced_samples
-from trimmer.uncertainty.indices import Indices, indices_of, require_independent, saltelli_points
-from trimmer.uncertainty.points import Plan
+from trimmer.uncertainty.indices import Indices, indices_where
 from trimmer.uncertainty.sample_file import SampleFile
-from trimmer.uncertainty.sample_inputs import SampleSettings, inputs_at
+from trimmer.uncertainty.sample_inputs import SampleSettings, sample_inputs
 from trimmer.uncertainty.sample_records import NOWHERE, Keeping
-from trimmer.uncertainty.samples import Samples, sample, trials_of
+from trimmer.uncertainty.samples import Samples, trials_of
 
 
 @dataclass(frozen=True)
@@ -88,11 +87,10 @@ def study_samples(
         require_balanceable(file.mechanism)
     warm_up(file)
     begin = time.perf_counter()
-    if indices:
-        samples, found = _with_indices(file, settings, runner, keeping, quiet)
-    else:
-        found, asked = {}, (file.subject, file.uncertainty, settings)
-        samples = sample(*asked, targets=file.targets, runner=runner, keeping=keeping, quiet=quiet)
+    inputs = sample_inputs(file.subject, file.uncertainty, settings, indices=indices)
+    trials = trials_of(inputs, runner, keeping, quiet=quiet)
+    samples = Samples(inputs, file.targets, all_measures(file.subject), trials)
+    found = _indices(samples) if indices else {}
     seconds = time.perf_counter() - begin
     rate = len(samples.trials) / seconds if not keeping.resume else math.nan
     beside = balanced_samples(samples, balanced) if balanced else None
@@ -104,26 +102,10 @@ def warm_up(file: SampleFile) -> None:
     TrialWork(file.subject, (), (), 2)(())
 
 
-def _with_indices(
-    file: SampleFile,
-    settings: SampleSettings,
-    runner: Runner | None,
-    keeping: Keeping,
-    quiet: bool,
-) -> tuple[Samples, dict[QuantityOfInterest, Indices]]:
-    require_independent(file.uncertainty)
-    places = file.uncertainty.places
-    blocks = Plan.SOBOL.count(settings.count)
-    values = file.uncertainty.values(saltelli_points(len(places), blocks, settings.seed))
-    inputs = inputs_at(file.subject, file.uncertainty, replace(settings, plan=Plan.SOBOL), values)
-    trials = trials_of(inputs, runner, keeping, quiet=quiet)
-    samples = Samples(inputs, file.targets, all_measures(file.subject), trials)
-    found = {}
-    for quantity, column in _quantities(samples):
-        whole = np.full(len(values), np.nan)
-        whole[inputs.possible] = column
-        found[quantity] = indices_of(whole, places, settings.seed)
-    return samples, found
+def _indices(samples: Samples) -> dict[QuantityOfInterest, Indices]:
+    possible, places = samples.inputs.possible, samples.inputs.uncertainty.places
+    seed = samples.inputs.settings.seed
+    return {each: indices_where(possible, column, places, seed) for each, column in _quantities(samples)}
 
 
 def _quantities(samples: Samples) -> list[tuple[QuantityOfInterest, Reals]]:

@@ -9,13 +9,12 @@ import numpy as np
 from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.mechanisms.sample_text import (
     distribution_data,
+    distribution_lines,
     index_data,
     index_lines,
-    quantile_text,
     share_data,
     share_text,
 )
-from trimmer.command_line.table import table
 from trimmer.uncertainty.statistics import distribution_of, share_of
 
 if TYPE_CHECKING:
@@ -31,15 +30,8 @@ def as_text(samples: LimitCycleSamples) -> str:
         lines.append(f"  {count}  {share_text(share_of(int((found.count == count).sum()), total))}")
     lines += ["", "the largest stable one (in brackets: 95 % interval of a quantile)"]
     amplitude, frequency = samples.largest
-    rows = []
-    for name, values, unit in (("amplitude", amplitude, "m"), ("frequency", frequency, "Hz")):
-        told = distribution_of(values)
-        if told is not None:
-            numbers = (f"{told.mean:.4g}", f"{told.deviation:.3g}", *map(quantile_text, told.quantiles))
-            rows.append((name, *numbers, unit))
-    lines += table(("", "mean", "deviation", "5 %", "50 %", "95 %", "unit"), rows)
-    for name, indices in samples.indices.items():
-        lines += ["", f"what matters for {name}", *index_lines(indices)]
+    lines += distribution_lines([("amplitude", amplitude, "m"), ("frequency", frequency, "Hz")])
+    lines += index_lines(samples.indices)
     return "\n".join([*lines, "", samples.message, f"{samples.per_second:.3g} samples per second."])
 
 
@@ -61,10 +53,7 @@ def as_json(samples: LimitCycleSamples) -> str:
         "frequency": distribution_data(distribution_of(frequency)),
         "searched_again": int(found.searched_again.sum()),
         "undecided": int(found.undecided.sum()),
-        "indices": [
-            {"of": name, "message": each.message, "numbers": index_data(each)}
-            for name, each in samples.indices.items()
-        ],
+        "indices": index_data(samples.indices),
         "message": samples.message,
     }
     return document(data)

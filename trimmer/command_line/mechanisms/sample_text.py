@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.table import table
 from trimmer.design.targets import Measure
+from trimmer.design.trial import MeasureOfPart
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.uncertainty.balance import BalancedSamples
 from trimmer.uncertainty.indices import Indices
 from trimmer.uncertainty.samples import Samples
-from trimmer.uncertainty.statistics import Distribution, Quantile, Share, distribution_of, share_of
+from trimmer.uncertainty.statistics import Distribution, Share, distribution_of, share_of
 from trimmer.uncertainty.study import SampleStudy, name_of
 
 MOST_LINES = 8
@@ -31,10 +33,10 @@ def as_text(study: SampleStudy) -> str:
         f"  {kind:<{width}}  {share_text(share_of(count, total))}" for kind, count in samples.kinds.items()
     ]
     lines += ["", "how measures scatter (in brackets: 95 % interval of a quantile)"]
-    heads = ("", "mean", "deviation", "5 %", "50 %", "95 %", "unit")
-    lines += table(heads, list(_measure_rows(samples)))
-    for quantity, indices in study.indices.items():
-        lines += ["", f"what matters for {quantity.name}", *index_lines(indices)]
+    lines += distribution_lines(
+        (name_of(each), samples.measured(each), each.unit(samples.flow)) for each in _shown(samples)
+    )
+    lines += index_lines(_named(study))
     if study.balanced is not None:
         lines += ["", *_balanced_lines(study.balanced)]
     lines += ["", samples.message]
@@ -64,39 +66,40 @@ def share_text(share: Share) -> str:
     return f"{share.value:.1%} of {share.total} ({share.lowest:.1%} to {share.highest:.1%})"
 
 
-def _measure_rows(samples: Samples) -> Iterator[tuple[str, ...]]:
-    for asked in samples.asked:
-        if asked.measure is Measure.PERIOD:
-            continue
-        found = distribution_of(samples.measured(asked))
+def _shown(samples: Samples) -> list[MeasureOfPart]:
+    return [each for each in samples.asked if each.measure is not Measure.PERIOD]
+
+
+def _named(study: SampleStudy) -> dict[str, Indices]:
+    return {quantity.name: indices for quantity, indices in study.indices.items()}
+
+
+def distribution_lines(columns: Iterable[tuple[str, Reals, str]]) -> list[str]:
+    """Return the table of distributions of some values, each with its name and unit."""
+    rows = []
+    for name, values, unit in columns:
+        found = distribution_of(values)
         if found is not None:
-            yield (
-                name_of(asked),
-                f"{found.mean:.4g}",
-                f"{found.deviation:.3g}",
-                *(quantile_text(each) for each in found.quantiles),
-                asked.unit(samples.flow),
+            quantiles = (f"{q.value:.4g} [{q.lowest:.4g}, {q.highest:.4g}]" for q in found.quantiles)
+            rows.append((name, f"{found.mean:.4g}", f"{found.deviation:.3g}", *quantiles, unit))
+    return table(("", "mean", "deviation", "5 %", "50 %", "95 %", "unit"), rows)
+
+
+def index_lines(indices: Mapping[str, Indices]) -> Iterator[str]:
+    """Return the table of indices of each quantity, by its name, and what they rest on."""
+    for quantity, found in indices.items():
+        yield from ("", f"what matters for {quantity}")
+        rows = [
+            (
+                each.place,
+                f"{each.first:.3f} +- {each.first_error:.3f}",
+                f"{each.total:.3f} +- {each.total_error:.3f}",
             )
-
-
-def quantile_text(quantile: Quantile) -> str:
-    """Return a quantile with its interval."""
-    return f"{quantile.value:.4g} [{quantile.lowest:.4g}, {quantile.highest:.4g}]"
-
-
-def index_lines(indices: Indices) -> Iterator[str]:
-    """Return the table of indices, and what they rest on."""
-    rows = [
-        (
-            each.place,
-            f"{each.first:.3f} +- {each.first_error:.3f}",
-            f"{each.total:.3f} +- {each.total_error:.3f}",
-        )
-        for each in indices.indices[:MOST_LINES]
-    ]
-    if rows:
-        yield from table(("", "first order", "total"), rows)
-    yield f"  {indices.message}"
+            for each in found.indices[:MOST_LINES]
+        ]
+        if rows:
+            yield from table(("", "first order", "total"), rows)
+        yield f"  {found.message}"
 
 
 def _balanced_lines(balanced: BalancedSamples) -> Iterator[str]:
@@ -138,13 +141,9 @@ def as_json(study: SampleStudy) -> str:
                 "unit": asked.unit(samples.flow),
                 **distribution_data(distribution_of(samples.measured(asked))),
             }
-            for asked in samples.asked
-            if asked.measure is not Measure.PERIOD
+            for asked in _shown(samples)
         ],
-        "indices": [
-            {"of": quantity.name, "message": indices.message, "numbers": index_data(indices)}
-            for quantity, indices in study.indices.items()
-        ],
+        "indices": index_data(_named(study)),
         "balance": None if study.balanced is None else _balanced(study.balanced),
         "message": samples.message,
     }
@@ -169,9 +168,13 @@ def distribution_data(found: Distribution | None) -> dict[str, Any]:
     }
 
 
-def index_data(indices: Indices) -> list[dict[str, Any]]:
+def index_data(indices: Mapping[str, Indices]) -> list[dict[str, Any]]:
     """Return indices as data for JSON."""
-    return [picked(each, "place", "first", "total", "first_error", "total_error") for each in indices.indices]
+    names = ("place", "first", "total", "first_error", "total_error")
+    return [
+        {"of": of, "message": found.message, "numbers": [picked(each, *names) for each in found.indices]}
+        for of, found in indices.items()
+    ]
 
 
 def _balanced(balanced: BalancedSamples) -> dict[str, Any]:
