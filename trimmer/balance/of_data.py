@@ -12,7 +12,7 @@ from trimmer.balance.element_curve import ElementCurve
 from trimmer.balance.limit_cycle import Certificate, HarmonicBalance, InterpolationBound, LimitCycle
 from trimmer.balance.linear_part import parted
 from trimmer.balance.sampled import DECADES, METHOD, found_on_grid
-from trimmer.balance.stability import sine_of_crossing
+from trimmer.balance.stability import cycles_of
 from trimmer.balance.uniqueness import cross
 from trimmer.errors import FrequencyRangeError, LinearElementError
 from trimmer.linear.measured_response import MeasuredResponse
@@ -89,28 +89,11 @@ def _cycles(
     amplitudes, omegas, errors = curve.amplitude(u), np.exp(x), inverse.data.error(x)
     # A change of 1/G by |error/G| at most moves u and x so far at most, to first order.
     moved = errors * np.abs(value) / np.abs(cross(by_u, by_x))
-    cycles, bounds = [], []
-    for place in range(u.size):
-        sine = sine_of_crossing(-complex(by_u[place]), complex(by_x[place]))
-        cycles.append(
-            LimitCycle(
-                amplitude=float(amplitudes[place]),
-                omega=float(omegas[place]),
-                stable=sine > 0,
-                residual=float(abs(1.0 + gain[place] / value[place])),
-                crossing_angle=math.asin(min(1.0, abs(sine))),
-                index=1 if sine > 0 else -1,
-                other_unstable_poles=0,
-            )
-        )
-        bounds.append(
-            InterpolationBound(
-                float(errors[place]),
-                float(amplitudes[place] * moved[place] * abs(by_x[place]) / u[place]),
-                float(omegas[place] * moved[place] * abs(by_u[place])),
-            )
-        )
-    return tuple(cycles), tuple(bounds)
+    residuals, none = np.abs(1.0 + gain / value), np.zeros(u.size, dtype=np.int64)
+    cycles = cycles_of(amplitudes, omegas, residuals, (by_u, np.asarray(by_x)), none)
+    by_amplitude, by_omega = amplitudes * moved * np.abs(by_x) / u, omegas * moved * np.abs(by_u)
+    each = zip(errors.tolist(), by_amplitude.tolist(), by_omega.tolist(), strict=True)
+    return cycles, tuple(InterpolationBound(*one) for one in each)
 
 
 def _unproven(loop: MeasuredLoop) -> tuple[str, ...]:

@@ -104,20 +104,27 @@ def limit_cycles_at(loop: LoopEquation, u: Reals, x: Reals) -> tuple[LimitCycle,
     unstable = other_unstable_poles(loop, gain, amplitudes, omegas)
     # 1 + N G of the loop as it was given.
     residuals = np.abs((gain + inverse) / (inverse - loop.linear.value(omegas)))
+    slopes = by_u, np.asarray(slope + gain_by_x)
+    return cycles_of(amplitudes, omegas, residuals, slopes, unstable)
+
+
+def cycles_of(
+    amplitudes: Reals, omegas: Reals, residuals: Reals, slopes: tuple[Complexes, Complexes], others: Places
+) -> tuple[LimitCycle, ...]:
+    """Return limit cycles of known dF/du and dF/dx, with the other unstable poles of each; all (n,)."""
+    numbers = (each.tolist() for each in (amplitudes, omegas, residuals, *slopes, others))
     cycles = []
-    for place in range(u.size):
-        # u falls with amplitude, hence the sign.
-        sine = sine_of_crossing(-complex(by_u[place]), complex(slope[place] + gain_by_x[place]))
-        others = int(unstable[place])
+    for amplitude, omega, residual, by_u, by_x, unstable in zip(*numbers, strict=True):
+        sine = sine_of_crossing(-by_u, by_x)  # u falls with amplitude, hence the sign
         cycles.append(
             LimitCycle(
-                amplitude=float(amplitudes[place]),
-                omega=float(omegas[place]),
-                stable=sine > 0 and others == 0,
-                residual=float(residuals[place]),
+                amplitude=amplitude,
+                omega=omega,
+                stable=sine > 0 and unstable == 0,
+                residual=residual,
                 crossing_angle=math.asin(min(1.0, abs(sine))),
                 index=1 if sine > 0 else -1,
-                other_unstable_poles=others,
+                other_unstable_poles=unstable,
             )
         )
     return tuple(cycles)
