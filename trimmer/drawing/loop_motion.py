@@ -9,12 +9,11 @@ from trimmer.arrays import Reals
 from trimmer.drawing.axes import finish
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import line
-from trimmer.drawing.strips import Strip
+from trimmer.drawing.strips import strips_of
 from trimmer.loops.components.backlash_component import BacklashComponent
-from trimmer.loops.components.relay_component import HELD
 from trimmer.loops.feedback import Feedback
+from trimmer.loops.flow import LoopFlow
 from trimmer.loops.motion import LoopMotion
-from trimmer.motion.spans import spans_of
 
 POINTS = 4000
 """Points of a curve, beside the events."""
@@ -32,7 +31,8 @@ def draw_loop_motion(motion: LoopMotion, axes: Axes) -> None:
         axes.plot(times, values, label=name, linewidth=1.2, **line(number))
     axes.set_xlim(0.0, motion.duration)
     unit = motion.loop.length
-    finish(axes, ("time", "s"), ("displacement" if unit else "signals", unit), strips_of(motion))
+    strips = strips_of(LoopFlow(motion.loop).parts, motion.loop.modes, motion.log, motion.duration)
+    finish(axes, ("time", "s"), ("displacement" if unit else "signals", unit), strips)
 
 
 def signals_of(motion: LoopMotion, times: Reals) -> dict[str, Reals]:
@@ -51,23 +51,3 @@ def signals_of(motion: LoopMotion, times: Reals) -> dict[str, Reals]:
             drawn["input of the play"] = motion.element_input(times)
         drawn["output of the play"] = motion.element_output(times)
     return drawn
-
-
-def strips_of(motion: LoopMotion) -> list[Strip]:
-    """Return when each play is in contact, and when each friction and relay is held."""
-    modes = motion.loop.modes
-    of_segments = np.array([modes[int(number)].statuses for number in motion.log.mode])
-    strips = []
-    for number, (label, component) in enumerate(
-        zip(modes.system.interconnection.labels, modes.system.interconnection.components, strict=True)
-    ):
-        own = of_segments[:, number]
-        if isinstance(component, BacklashComponent):
-            touching = [mode for mode, name in enumerate(component.mode_names) if name.endswith("contact")]
-            on, word, stick = np.isin(own, touching), "contact", False
-        elif len(component.mode_names) > HELD and component.mode_names[HELD] == "held":
-            on, word, stick = own == HELD, "stick", True
-        else:
-            continue
-        strips.append(Strip(f"{label}, {word}", spans_of(motion.log.start, motion.duration, on), stick))
-    return strips

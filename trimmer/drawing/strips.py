@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 
 from trimmer.drawing.look import COLOURS
+from trimmer.hybrid.tables import Modes
+from trimmer.hybrid.work import Log
+from trimmer.motion.part import TOUCHING, Part, Phase
+from trimmer.motion.spans import spans_of
 
 HEIGHT = 0.06
 """Height of a strip, as a share of the axes."""
@@ -27,6 +32,18 @@ class Strip:
     name: str
     bars: Sequence[tuple[float, float]]
     stick: bool
+
+
+def strips_of(parts: Iterable[Part], modes: Modes[Any], log: Log, duration: float) -> list[Strip]:
+    """Return when each play and stop is in contact, and when each friction and relay is held."""
+    here, found = modes.tables.statuses[log.mode], []
+    for number, part in enumerate(parts):
+        for phases, word, stick in ((TOUCHING, "contact", False), ((Phase.STICK,), "stick", True)):
+            statuses = part.statuses(*phases)
+            if statuses:
+                bars = spans_of(log.start, duration, np.isin(here[:, number], statuses))
+                found.append(Strip(f"{part.name}, {word}", bars, stick))
+    return found
 
 
 def draw_strips(axes: Axes, strips: Sequence[Strip]) -> None:

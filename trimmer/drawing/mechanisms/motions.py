@@ -12,13 +12,11 @@ from trimmer.arrays import Integers, Reals
 from trimmer.drawing.axes import add_legend, finish
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, line, plain_label
-from trimmer.drawing.strips import Strip
+from trimmer.drawing.strips import strips_of
 from trimmer.drawing.units import name_axis
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow, signals_of
-from trimmer.motion.part import TOUCHING, Phase
-from trimmer.motion.signals import Steady, rate, read, while_status
-from trimmer.motion.spans import spans_of
+from trimmer.motion.signals import Steady, rate, read
 from trimmer.motion.units import with_unit
 from trimmer.response.motion import MechanismMotion
 from trimmer.response.orbit import Orbit
@@ -55,7 +53,8 @@ def draw_motion(flow: Flow, course: Course, axes: Axes) -> None:
         label = plain_label(name) if alike else with_unit(plain_label(name), each.unit)
         axes.plot(times, values, label=label, linewidth=1.2, **line(number))
     axes.set_xlim(0.0, course.duration)
-    finish(axes, ("time", "s"), _shown(each.unit for each in signals.values()), strips_of(flow, course))
+    strips = strips_of(flow.parts, course.modes, course.log, course.duration)
+    finish(axes, ("time", "s"), _shown(each.unit for each in signals.values()), strips)
 
 
 def _shown(units: Iterable[str]) -> tuple[str, str]:
@@ -67,19 +66,6 @@ def _shown(units: Iterable[str]) -> tuple[str, str]:
 
 def _rows(course: Course, times: Reals) -> Integers:
     return np.asarray(np.searchsorted(course.log.start, times, side="right") - 1, dtype=np.int64)
-
-
-def strips_of(flow: Flow, course: Course) -> list[Strip]:
-    """Return when each play and stop is in contact, and when each friction sticks."""
-    found = []
-    for number, part in enumerate(flow.parts):
-        for phases, word, stick in ((TOUCHING, "contact", False), ((Phase.STICK,), "stick", True)):
-            statuses = part.statuses(*phases)
-            if statuses:
-                on = while_status(course, number, statuses)
-                bars = spans_of(course.log.start, course.duration, on)
-                found.append(Strip(f"{part.name}, {word}", bars, stick))
-    return found
 
 
 def draw_phase_plane(flow: Flow, course: Course, axes: Axes) -> None:

@@ -9,7 +9,8 @@ from trimmer.contact.control_readouts import control_signal
 from trimmer.drawing.axes import finish
 from trimmer.drawing.content import head, new_figure
 from trimmer.drawing.look import line, plain_label
-from trimmer.drawing.mechanisms.motions import POINTS, WORDS, strips_of
+from trimmer.drawing.mechanisms.motions import POINTS, WORDS
+from trimmer.drawing.strips import strips_of
 from trimmer.motion.signals import along
 from trimmer.response.step import StepResponse
 
@@ -36,6 +37,7 @@ def step_figure(response: StepResponse) -> Figure:
     above.set_xlim(0.0, until)
     length, force = response.units
     finish(above, ("time", "s"), (WORDS.get(length, "signals"), length), [])
-    finish(below, ("time", "s"), (WORDS.get(force, "control"), force), strips_of(flow, course))
+    strips = strips_of(flow.parts, course.modes, course.log, course.duration)
+    finish(below, ("time", "s"), (WORDS.get(force, "control"), force), strips)
     head(figure, response.motion.mechanism.title)
     return figure
