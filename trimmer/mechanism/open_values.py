@@ -63,14 +63,14 @@ def open_values(content: Mapping[str, Any]) -> Iterator[OpenValue]:
     if _is_open(content.get("frequency")):
         yield OpenValue(("frequency",), content["frequency"], FREQUENCY)
     kinds = kinds_of(content)
-    for section in PARTS:
+    for section in (*PARTS, *SECTIONS):
         for name, entries in _tables(content.get(section)):
-            for key, wanted in numbers_of_part(kinds, section, name, entries).items():
-                if wanted.range is not Range.WHOLE and _is_open(entries.get(key)):
-                    yield OpenValue((section, name, key), entries[key], wanted)
-    for section in SECTIONS:
-        for name, entries in _tables(content.get(section)):
-            for key, wanted in numbers_of(content, kinds, section, name).items():
+            numbers = (
+                numbers_of_part(kinds, section, name, entries)
+                if section in PARTS
+                else numbers_of(content, kinds, section, name)
+            )
+            for key, wanted in numbers.items():
                 if wanted.range is not Range.WHOLE and _is_open(entries.get(key)):
                     yield OpenValue((section, name, key), entries[key], wanted)
 

@@ -12,7 +12,7 @@ from trimmer.errors import MechanismError
 from trimmer.mechanism.controls.controllers import DIFFERENCE, Cascade, Controller, Pid, TransferController
 from trimmer.mechanism.controls.numbers import ROWS, kind_of, numbers_of
 from trimmer.mechanism.controls.references import ProfileReference, Reference
-from trimmer.mechanism.kinds import Kind
+from trimmer.mechanism.kinds import Kind, entry
 from trimmer.mechanism.parts import GROUND, OutputKind
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.points import ends_in
@@ -38,24 +38,34 @@ def problems_of_links(content: Mapping[str, Any]) -> Iterator[Problem]:
     """Find names in the controls of a file that nothing has: without them units would be told wrong."""
     sections = ("bodies", "points", "pins", "structures", "outputs", "references", "controllers")
     content = {**{section: {} for section in sections}, **content}
+    yield from _unknown(content)
+    followed = {each.get("reference") for each in content["controllers"].values()}
+    yield from _not_followed(content["references"], followed)
+
+
+def _unknown(content: Mapping[str, Any]) -> Iterator[Problem]:
+    """Find names that nothing has in controllers, or in the tables of such."""
     outputs, references = content["outputs"], content["references"]
     ends = [*coordinates_in(content), *content["points"], *points_in(content), *content["pins"], GROUND]
-    for name, entries in content["controllers"].items():
+    for name, controller in content["controllers"].items():
         place = ("controllers", name)
         for key, what, known in (
             ("measure", "output", outputs),
-            ("speed", "output", {**outputs, DIFFERENCE: None}),
+            ("speed", "output", outputs),
             ("reference", "reference", references),
         ):
-            named = entries.get(key)
-            if isinstance(named, str) and named not in known:
-                told = references if known is references else outputs
-                yield Problem((*place, key), no_such(what, named, told), named)
-        acts = entries.get("acts")
-        for end in acts if isinstance(acts, list) else ():
-            if isinstance(end, str) and end not in ends:
-                yield Problem((*place, "acts"), no_such_end(content, ends_in(content), end, ends), acts)
-    yield from _not_followed(references, {each.get("reference") for each in content["controllers"].values()})
+            named = entry(controller, key)
+            if isinstance(named, str) and named not in known and (key, named) != ("speed", DIFFERENCE):
+                yield Problem((*place, key), no_such(what, named, known), named)
+        acts = entry(controller, "acts")
+        for end in dict.fromkeys(acts) if _are_words(acts) else ():
+            if end not in ends:
+                reason = no_such_end(content, ends_in(content), end, ends)
+                yield Problem((*place, "acts"), reason, list(acts))
+
+
+def _are_words(value: object) -> bool:
+    return isinstance(value, list | tuple) and all(isinstance(each, str) for each in value)
 
 
 def _not_followed(references: Mapping[str, Any], followed: Set[object]) -> Iterator[Problem]:
@@ -91,8 +101,7 @@ def _fields(place: tuple[str, str], part: Any, numbers: Mapping[str, NumberField
             if value is not None or each.name not in OPTIONAL:
                 yield from numbers[each.name].problems(there, value)
         elif each.name == "acts":
-            pair = value if isinstance(value, list | tuple) else ()
-            if len(pair) != 2 or not all(isinstance(end, str) for end in pair):
+            if not _are_words(value) or len(value) != 2:
                 yield Problem(there, 'name two ends, as in ["ground", "motor"]', value)
         elif (
             each.name in _TEXTS
@@ -120,30 +129,15 @@ def _rows(place: tuple[str, ...], value: object, numbers: Mapping[str, NumberFie
 
 def problems_of_control(content: Mapping[str, Any]) -> Iterator[Problem]:
     """Find controllers that do not go together with the rest: outputs, references, ends, loops."""
+    yield from _unknown(content)
     for name, controller in content["controllers"].items():
-        place = ("controllers", name)
-        known = content["outputs"]
-        if controller.measure not in known:
-            yield Problem(
-                (*place, "measure"), no_such("output", controller.measure, known), controller.measure
-            )
-        if controller.reference is not None and controller.reference not in content["references"]:
-            reason = no_such("reference", controller.reference, content["references"])
-            yield Problem((*place, "reference"), reason, controller.reference)
-        yield from _acts(content, (*place, "acts"), tuple(controller.acts))
+        for end in dict.fromkeys(controller.acts):
+            if end in content["pins"]:
+                reason = f"a pin moves as prescribed; name what carries it, {content['pins'][end].on!r}"
+                yield Problem(("controllers", name, "acts"), reason, list(controller.acts))
         yield from _speed(content, name, controller)
         if controller.sample is None:
             yield from _algebraic(content, name, controller)
-
-
-def _acts(content: Mapping[str, Any], place: tuple[str, ...], acts: tuple[str, str]) -> Iterator[Problem]:
-    known = [*coordinates_in(content), *content["points"], *points_in(content), GROUND]
-    for end in dict.fromkeys(acts):
-        if end in content["pins"]:
-            reason = f"a pin moves as prescribed; name what carries it, {content['pins'][end].on!r}"
-            yield Problem(place, reason, list(acts))
-        elif end not in known:
-            yield Problem(place, no_such_end(content, ends_in(content), end, known), list(acts))
 
 
 def _speed(content: Mapping[str, Any], name: str, controller: Controller) -> Iterator[Problem]:
@@ -154,11 +148,7 @@ def _speed(content: Mapping[str, Any], name: str, controller: Controller) -> Ite
         if controller.sample is None:
             reason = "a difference is that of two samples; give a sample, or name an output"
             yield Problem(place, reason, controller.speed)
-    elif controller.speed is not None:
-        if controller.speed not in content["outputs"]:
-            reason = no_such("output", controller.speed, content["outputs"])
-            yield Problem(place, reason, controller.speed)
-    elif controller.measure in content["outputs"]:
+    elif controller.speed is None and controller.measure in content["outputs"]:
         kind = OutputKind.chosen(content["outputs"][controller.measure].kind, "kind")
         if kind is not OutputKind.DISPLACEMENT:
             reason = (
