@@ -1,4 +1,4 @@
-"""Tests go through the doors that users have: no private name, nothing replaced inside the packages.
+"""Tests go through the doors that users have: no private name, no way past a room, nothing replaced inside.
 
 ``python -m scripts.doors`` prints what does and is not in tests/insides.csv; then it ends with 1.
 A listed file has a reason; one that touches nothing any more has to leave the list.
@@ -14,6 +14,8 @@ from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
 from pathlib import Path
 
+import trimmer
+
 PROJECT = Path(__file__).resolve().parents[1]
 LISTED = "tests/insides.csv"
 PACKAGES = frozenset({"derivations", "trimmer", "report", "scripts", "benchmarks"})
@@ -22,6 +24,10 @@ REPLACING = frozenset({"setattr", "delattr", "patch"})
 """Functions of Python, pytest's monkeypatch and unittest.mock that replace something."""
 REPLACING_METHODS = REPLACING | {"object", "dict", "setitem", "delitem"}
 """The same, and what replaces only as a method: ``dict(...)`` by itself makes one."""
+ROOMS = {f"trimmer.{room}": frozenset(getattr(trimmer, room).__all__) for room in trimmer.ROOMS} | {
+    "trimmer": frozenset(trimmer.__all__)
+}
+"""The public names of each room, whatever file below it they are written in."""
 
 
 def main() -> int:
@@ -58,6 +64,7 @@ def insides(source: str) -> Iterator[tuple[int, str]]:
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom | ast.Import):
             yield from _imported(node)
+            yield from _passed_by(node)
         elif isinstance(node, ast.Attribute) and _is_private(node.attr) and not _is_named(node.value, own):
             yield node.lineno, f"takes the private {node.attr}"
         elif isinstance(node, ast.Call) and _replaces(node, ours):
@@ -70,6 +77,15 @@ def _imported(node: ast.ImportFrom | ast.Import) -> Iterator[tuple[int, str]]:
     names = [part for module in modules if module.split(".")[0] in PACKAGES for part in module.split(".")]
     names += [each.name for each in node.names] if of_ours else []
     yield from ((node.lineno, f"imports the private {name}") for name in names if _is_private(name))
+
+
+def _passed_by(node: ast.ImportFrom | ast.Import) -> Iterator[tuple[int, str]]:
+    """Yield the public names that are imported from below the room where they stand."""
+    module = (node.module or "") if isinstance(node, ast.ImportFrom) else ""
+    for room, public in ROOMS.items():
+        if module.startswith(f"{room}.") and module not in ROOMS:
+            names = [each.name for each in node.names if each.name in public]
+            yield from ((node.lineno, f"imports {name} from below {room}") for name in names)
 
 
 def _imported_names(tree: ast.AST, *, of_ours: bool) -> Iterator[str]:

@@ -19,8 +19,8 @@ from derivations.narrative import narrative
 from derivations.parts import ContactLaw, Damper, Spring
 from derivations.step import NarrativeStep
 from tests.derivations.symbolic_parts import GROUND, body, force, friction, pin, play, positive, stop
+from trimmer import Mechanism as MechanismOfNumbers
 from trimmer.code_generation import derive_mechanism_sources
-from trimmer.mechanism.mechanism import Mechanism as MechanismOfNumbers
 
 
 def every_part() -> Mechanism:

@@ -17,7 +17,7 @@ from scripts.site.schema_tables import mechanism_keys, parameter_page
 from tests.public_names import public_names
 from trimmer.command_line.main import installed_commands
 from trimmer.mechanism.quantities import PARTS, QUANTITIES
-from trimmer.parameters import parameter_table
+from trimmer.thesis import parameter_table
 
 
 def test_every_public_name_has_its_place(project_folder: Path) -> None:

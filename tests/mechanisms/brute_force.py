@@ -16,7 +16,7 @@ from scipy.integrate import DOP853
 from tests.mechanisms.crossing import Step, Watch, watch
 from tests.mechanisms.decision import Judge, NoModeFoundError
 from tests.mechanisms.dynamics import Mode, System
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer import Mechanism
 
 MOST_EVENTS = 200_000
 MOST_AT_ONCE = 40

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tests.mechanisms.brute_force import BruteForce, BruteMotion, Event
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer import Mechanism
 
 LOOSE, TIGHT = 3e-11, 3e-13
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import mpmath
 from mpmath import mp, mpc, mpf
 
-from trimmer.mechanism.parts import ContactLaw
+from trimmer import ContactLaw
 
 GRID = 80
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from tests.mechanisms.dynamics import Mode, System
-from trimmer.mechanism.parts import Friction, Link, Output, OutputKind
+from trimmer import Friction, Link, Output
+from trimmer.mechanism import OutputKind
 
 
 def output_row(system: System, output: Output, mode: Mode) -> np.ndarray:

@@ -11,7 +11,8 @@ from typing import NamedTuple
 import numpy as np
 
 from tests.mechanisms.rows import Rows
-from trimmer.mechanism.parts import ContactLaw, Friction, Link, Play, Stop, Wall
+from trimmer import ContactLaw, Friction, Link, Play, Stop
+from trimmer.mechanism import Wall
 
 
 class ContactMode(NamedTuple):

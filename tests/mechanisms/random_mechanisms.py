@@ -13,8 +13,22 @@ from typing import Any
 
 import numpy as np
 
-from trimmer.mechanism import Body, Friction, Link, Mechanism, Output, Pin, Play, Point, Stop, Structure, Wall
-from trimmer.mechanism.parts import COUPLINGS, GROUND, ContactLaw, Force
+from trimmer import ContactLaw, Force
+from trimmer.mechanism import (
+    GROUND,
+    Body,
+    Friction,
+    Link,
+    Mechanism,
+    Output,
+    Pin,
+    Play,
+    Point,
+    Stop,
+    Structure,
+    Wall,
+)
+from trimmer.mechanism.parts import COUPLINGS
 
 LAWS = tuple(ContactLaw)
 

@@ -31,6 +31,10 @@ from scripts.doors import insides, wrong
         ),
         ("import os, time\nmonkeypatch.setattr(time, 'sleep', None)\nos._exit(1)", []),
         ("monkeypatch.setenv('HOME', '/')\nself._kept = row._replace(a=1)", []),
+        ("from trimmer.response.respond import respond", ["imports respond from below trimmer"]),
+        ("from trimmer.design.study import Study, pairs", ["imports Study from below trimmer.design"]),
+        ("from trimmer.linear.models.modes import Mode as M", ["imports Mode from below trimmer.linear"]),
+        ("from trimmer.design import Study, study\nfrom trimmer.hybrid.system import Mode", []),
     ],
 )
 def test_what_goes_inside_is_found(source: str, found: list[str]) -> None:

@@ -12,8 +12,8 @@ import trimmer
 from tests.trimmer.fitting.made import record
 from tests.trimmer.fitting.made import trimmer as driven_trimmer
 from tests.trimmer.maps.machines import impact_oscillator
+from trimmer import SerialRunner
 from trimmer.response import MechanismOrbit
-from trimmer.runners.runner import SerialRunner
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 GAP = 4e-5

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement, DisplacementError, TrimmerBody
+from trimmer.thesis import CUTTER_RELATIVE_TO_GUARD, Displacement, DisplacementError, TrimmerBody
 
 EVERY = [*map(Displacement, TrimmerBody), *(Displacement(*pair) for pair in permutations(TrimmerBody, 2))]
 

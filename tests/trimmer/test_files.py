@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from trimmer import TrimmerParameters
 from trimmer.files import CSV, SVG, FileWriteError, check_replaceable, write_atomically
-from trimmer.parameters import TrimmerParameters
 
 CONTENTS = {
     "csv": b"time [s],q2-q4 [m]\n0.0,1e-3\n",

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer import Mechanism
 from trimmer.messages import near_file, near_match, near_or_all
 
 ELEMENTS = ("friction", "inertia", "viscous", "coulomb", "relay")

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from trimmer.parameters import ParameterError, TrimmerParameters, parameter_table
+from trimmer import TrimmerParameters
+from trimmer.thesis import ParameterError, parameter_table
 
 TEMPLATE = TrimmerParameters.thesis().to_toml()
 

@@ -9,7 +9,8 @@ from hypothesis import given
 
 from derivations.symbols import PARAMETERS
 from tests.trimmer.trimmers import DAMPINGS, MASSES, STIFFNESSES, trimmers
-from trimmer.parameters import ParameterError, TrimmerParameters, parameter_table
+from trimmer import TrimmerParameters
+from trimmer.thesis import ParameterError, parameter_table
 
 THESIS = TrimmerParameters.thesis()
 

@@ -7,7 +7,7 @@ import mpmath
 import numpy as np
 from hypothesis import strategies as st
 
-from trimmer.parameters import TrimmerParameters
+from trimmer import TrimmerParameters
 
 MASSES = ("m1", "m2", "m3", "m4")
 STIFFNESSES = ("k1", "k2", "k3", "k4", "k5")

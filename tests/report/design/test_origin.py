@@ -16,8 +16,8 @@ from report.pages.formats import Format, Paper
 from tests.report.design.conftest import TEXT
 from trimmer import MechanismError
 from trimmer.command_line.main import main
-from trimmer.design.design import Design
-from trimmer.design.design_file import design_file_of_text, read_design_file
+from trimmer.design import Design, read_design_file
+from trimmer.design.design_file import design_file_of_text
 
 BOTH = frozenset({Format.HTML, Format.PDF})
 

@@ -10,8 +10,17 @@ import pytest
 from report.design.words import meets_at_its_point
 from trimmer import MotionKind
 from trimmer.branches import BranchEnd
-from trimmer.design import Measure, MeasureOfPart, NumberRole, PathSide, Remedy, Target, Trial, VariedNumber
-from trimmer.design.paths import NumberPath
+from trimmer.design import (
+    Measure,
+    MeasureOfPart,
+    NumberPath,
+    NumberRole,
+    PathSide,
+    Remedy,
+    Target,
+    Trial,
+    VariedNumber,
+)
 from trimmer.design.remedies import Change
 from trimmer.design.surroundings import Around, Beside, Condition
 

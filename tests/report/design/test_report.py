@@ -18,9 +18,17 @@ from report.design.sentences import helpless_words
 from report.design.tables import target_rows
 from report.design.words import measure_value, sureness_sentences, verdict_sentence
 from report.pages.formats import Format
-from trimmer.design import Design, DesignOutcome, DesignVerdict, JudgedTarget, Measure, Remedies, compared
+from trimmer.design import (
+    Design,
+    DesignOutcome,
+    DesignVerdict,
+    JudgedTarget,
+    Measure,
+    Remedies,
+    Sureness,
+    compared,
+)
 from trimmer.design.remedies import Mend
-from trimmer.design.verdict import Sureness
 
 SECTIONS = (
     *(

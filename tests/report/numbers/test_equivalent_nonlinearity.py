@@ -12,7 +12,7 @@ from report.numbers.equivalent_nonlinearity import (
     right_element,
 )
 from report.numbers.thesis import DRIVE_OMEGA, SMALL_GAP
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
+from trimmer import FrictionBacklash
 
 
 def line_by_line(A, D, w, Fc):

@@ -15,7 +15,7 @@ from report.numbers.listed_functions import (
     listing_contour,
     listing_gain,
 )
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
+from trimmer import ViscousBacklash
 
 
 @pytest.mark.parametrize("gamma", [0.4, 1.25, 3.0])

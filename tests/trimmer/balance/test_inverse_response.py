@@ -13,7 +13,7 @@ from tests.trimmer.trimmers import stable_systems
 from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.linear_part import LinearGain, with_feedback
 from trimmer.balance.stability import closed_loop_poles
-from trimmer.linear.zero_pole_gain import ZeroPoleGain
+from trimmer.linear import ZeroPoleGain
 
 SYSTEMS = (
     THESIS_LOOP,

@@ -14,14 +14,22 @@ from tests.mechanisms.decision import Judge
 from tests.mechanisms.dynamics import System
 from tests.quick import quick
 from tests.trimmer.branches.published import two_blocks
-from trimmer import FollowedBranch, FollowSettings, SpecialKind, follow, follow_special, limit_cycles, respond
+from trimmer import (
+    FollowedBranch,
+    FollowSettings,
+    SpecialKind,
+    follow,
+    follow_special,
+    limit_cycles,
+    periodic_orbits,
+    respond,
+)
 from trimmer.branches import BranchEnd
 from trimmer.elements import CoulombFriction, FrictionBacklash
 from trimmer.errors import UnsupportedMotionError
 from trimmer.linear import InputChannels, pin_model
 from trimmer.loops import BodyFriction, TrimmerLoop
 from trimmer.mechanism import Mechanism
-from trimmer.orbits.periodic_orbits import periodic_orbits
 from trimmer.thesis import TrimmerParameters
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from trimmer.design.design_file import DesignFile, design_file_of_text
-from trimmer.design.found_motion import FoundMotion, of_settled
+from trimmer import respond
+from trimmer.design import DesignFile, FoundMotion
+from trimmer.design.design_file import design_file_of_text
+from trimmer.design.found_motion import of_settled
 from trimmer.examples import example_text
-from trimmer.response.respond import respond
 
 
 @pytest.fixture(scope="session")

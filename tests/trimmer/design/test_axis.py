@@ -8,8 +8,16 @@ import pytest
 
 from tests.trimmer.servos import STICTION
 from trimmer import MechanismError, MotionKind, SerialRunner
-from trimmer.design import DesignOutcome, DesignSettings, Measure, MeasureOfPart, NumberRole, Study
-from trimmer.design.design_file import DesignFile, design_file_of_text
+from trimmer.design import (
+    DesignFile,
+    DesignOutcome,
+    DesignSettings,
+    Measure,
+    MeasureOfPart,
+    NumberRole,
+    Study,
+)
+from trimmer.design.design_file import design_file_of_text
 from trimmer.design.trial import TrialWork, all_measures
 from trimmer.uncertainty.sample_file import sample_file_of_text
 

@@ -11,8 +11,15 @@ import pytest
 from tests.trimmer.design.made import contact, motion, oscillator, output
 from tests.trimmer.design.test_axis import AXIS, overshoot
 from trimmer import ContactLaw, Link, Mechanism, SerialRunner, Stop
-from trimmer.design import FoundMotion, Measure, MeasureDifference, MeasureOfPart, Study, compared
-from trimmer.design.comparison import ChangedNumber
+from trimmer.design import (
+    ChangedNumber,
+    FoundMotion,
+    Measure,
+    MeasureDifference,
+    MeasureOfPart,
+    Study,
+    compared,
+)
 from trimmer.design.design_file import design_file_of_text
 
 STROKE = MeasureOfPart(Measure.STROKE, "block")

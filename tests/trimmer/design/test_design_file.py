@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from trimmer import Mechanism, MechanismError
-from trimmer.design.design_file import DesignFile, design_file_of_text, read_design_file
-from trimmer.design.targets import Measure
+from trimmer.design import DesignFile, Measure, read_design_file
+from trimmer.design.design_file import design_file_of_text
 from trimmer.examples import example_text
 
 TEXT = """

@@ -16,8 +16,9 @@ from tests.trimmer.design.made import (
 )
 from trimmer import Mechanism, MotionKind, forced_orbit
 from trimmer.contact.flow import MechanismFlow
+from trimmer.design import HandArm, hand_arm_weighting
 from trimmer.design.found_motion import of_orbit, of_settled
-from trimmer.design.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples, hand_arm_weighting
+from trimmer.design.hand_arm import hand_arm_of_orbit, hand_arm_of_samples
 from trimmer.examples import example_text
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism import Body, Force, Friction, Link, Output

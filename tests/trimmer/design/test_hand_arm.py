@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from trimmer import Mechanism, forced_orbit
+from trimmer.design import hand_arm_weighting
 from trimmer.design.found_motion import of_orbit
-from trimmer.design.hand_arm import hand_arm_weighting
 
 PUBLISHED = {
     6.3: 0.727, 8: 0.873, 10: 0.951, 12.5: 0.958, 16: 0.896, 20: 0.782, 25: 0.647, 31.5: 0.519, 40: 0.411,

@@ -9,10 +9,10 @@ from typing import Any
 import pytest
 
 from trimmer import SerialRunner
-from trimmer.design.design_file import DesignFile, design_file_of_text
+from trimmer.design import DesignFile, DesignMap, DesignSettings
+from trimmer.design.design_file import design_file_of_text
 from trimmer.design.keeping import Keeper
-from trimmer.design.kept_map import DesignMap, design_map
-from trimmer.design.settings import DesignSettings
+from trimmer.design.kept_map import design_map
 from trimmer.design.varied_places import varied_places
 from trimmer.examples import example_text
 

@@ -12,20 +12,34 @@ from tests.quick import quick
 from tests.trimmer.design.made import motion, oscillator, output
 from trimmer import Mechanism, MotionKind, SerialRunner, WrongTypeError
 from trimmer.deadline import NEVER
-from trimmer.design import DesignFile, FoundMotion, Motions, OpenRange, Remedies, Stage, read_design_file
+from trimmer.design import (
+    DesignFile,
+    DesignSettings,
+    Elasticity,
+    FoundMotion,
+    Measure,
+    MeasureOfPart,
+    Motions,
+    NumberRole,
+    OpenRange,
+    Remedies,
+    Sensitivities,
+    Sensitivity,
+    Stage,
+    Study,
+    Target,
+    VariedNumber,
+    read_design_file,
+)
 from trimmer.design.forecast import AMPLE, EFFORT
 from trimmer.design.keeping import Keeper
 from trimmer.design.motions import motions_from_starts, with_neighbours
 from trimmer.design.remedies import Mend
 from trimmer.design.remedy_search import ALIKE, remedies
-from trimmer.design.sensitivity import Elasticity, Sensitivities, Sensitivity, designable, sensitivities
-from trimmer.design.settings import DesignSettings
+from trimmer.design.sensitivity import designable, sensitivities
 from trimmer.design.strongest import pairs_of_targets
-from trimmer.design.study import Study
 from trimmer.design.surroundings import SPEEDS, Beside, conditions_of
-from trimmer.design.targets import Measure, Target
-from trimmer.design.trial import MeasureOfPart
-from trimmer.design.varied_places import NumberRole, VariedNumber, varied_places
+from trimmer.design.varied_places import varied_places
 from trimmer.mechanism import Body, Force, Friction, Link, Pin, Play, Stop
 from trimmer.runners.timed import TimedRunner
 from trimmer.uncertainty import Scatter, Uncertainty, Uniform

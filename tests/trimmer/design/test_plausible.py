@@ -8,8 +8,9 @@ from dataclasses import replace
 import pytest
 
 from tests.trimmer.design.made import contact, friction, motion, output
+from trimmer.design import Oddity, Question
 from trimmer.design.assumed_range import assumed_range
-from trimmer.design.plausible import Oddity, Question, questions
+from trimmer.design.plausible import questions
 from trimmer.mechanism import Body, Friction, Link, Mechanism, Pin, Play, Stop
 
 ENDS = ("ground", "b")

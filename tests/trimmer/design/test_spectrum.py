@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from tests.trimmer.design.made import motion, output
-from trimmer.design.linear import LinearMode, LinearState
-from trimmer.design.spectrum import LineKind, OutputSpectrum, spectra
-from trimmer.mechanism.linear.outputs import Contacts
+from trimmer.design import LinearMode, LinearState, LineKind, OutputSpectrum
+from trimmer.design.spectrum import spectra
+from trimmer.mechanism import Contacts
 
 
 def state(contacts: Contacts, *modes: tuple[float, float]) -> LinearState:

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from trimmer.design.targets import Measure, Target
+from trimmer.design import Measure, Target
 
 
 @pytest.mark.parametrize("measure", list(Measure))

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from tests.trimmer.design.made import contact, friction, motion, output
-from trimmer.design.varied_places import NumberRole, VariedNumber, varied_places
+from trimmer.design import NumberRole, VariedNumber
+from trimmer.design.varied_places import varied_places
 from trimmer.mechanism import Body, ContactLaw, Friction, Link, Mechanism, Pin, Play, Stop
 
 ENDS = ("ground", "block")

@@ -9,8 +9,17 @@ import pytest
 
 from tests.trimmer.design.made import motion, output
 from trimmer import MotionKind
-from trimmer.design import DesignOutcome, FoundMotion, JudgedTarget, Measure, Motions, RangeStudy, Target
-from trimmer.design.verdict import Sureness, verdict_on
+from trimmer.design import (
+    DesignOutcome,
+    FoundMotion,
+    JudgedTarget,
+    Measure,
+    Motions,
+    RangeStudy,
+    Sureness,
+    Target,
+)
+from trimmer.design.verdict import verdict_on
 
 STROKE = Target("stroke_at_least", Measure.STROKE, "stroke", 2.5e-3)
 SPEED = Target("impact_speed_at_most", Measure.IMPACT_SPEED, "bridge", 0.25)

@@ -7,7 +7,7 @@ import pytest
 
 import trimmer
 from tests.trimmer.drawing.pictures import VISCOUS, new_axes, points
-from trimmer.balance.limit_cycle import HarmonicBalance
+from trimmer import HarmonicBalance
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ import pytest
 
 import trimmer
 from tests.trimmer.drawing.pictures import new_axes
-from trimmer.spectra.harmonics import HarmonicFit
+from trimmer.spectra import HarmonicFit
 
 
 @pytest.mark.parametrize("count", [8000, 8001, 300_001])

@@ -6,9 +6,16 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from trimmer import CoulombFriction, DeadZone, FrictionBacklash, InertiaBacklash, Preload, ViscousBacklash
+from trimmer import (
+    CoulombFriction,
+    DeadZone,
+    FrictionBacklash,
+    InertiaBacklash,
+    Preload,
+    ViscousBacklash,
+    ViscousFriction,
+)
 from trimmer.elements import Element, ElementAtFrequency, Relay, Saturation, ScaledElement, SumOfElements
-from trimmer.elements.viscous_friction import ViscousFriction
 
 ELEMENTS: tuple[Element, ...] = (
     FrictionBacklash(1.0),

@@ -10,7 +10,8 @@ import pytest
 
 from tests.quick import quick
 from trimmer import FrictionBacklash, TrimmerParameters, limit_cycles, pin_model
-from trimmer.ensembles.limit_cycles import BLOCK, sampled_limit_cycles
+from trimmer.ensembles import sampled_limit_cycles
+from trimmer.ensembles.limit_cycles import BLOCK
 from trimmer.thesis import ParameterError
 
 THESIS = asdict(TrimmerParameters.thesis())

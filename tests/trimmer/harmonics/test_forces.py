@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from tests.quick import quick
+from trimmer import ContactLaw, Play, Stop
 from trimmer.harmonics.contact import HarmonicContact
 from trimmer.harmonics.crossings import crossings
 from trimmer.harmonics.forces import Harmonics
 from trimmer.harmonics.rubbing import friction_harmonics
 from trimmer.harmonics.waveform import Decay, PeriodicWaveform
-from trimmer.mechanism.parts import ContactLaw, Play, Stop
 
 OMEGA = 2.0
 SAMPLES = 50_000

@@ -5,12 +5,19 @@ import numpy as np
 import pytest
 
 from trimmer import TrimmerParameters, linear_model, pin_model, resonance_peaks, response_at
-from trimmer.linear import asymptotic_roll_off, bandwidth, filtering_ratio, local_slope, steady_state
-from trimmer.linear.crossings import gain_crossings, real_axis_crossings
-from trimmer.linear.extrema import antiresonances
-from trimmer.linear.frequency_response import UnsupportedSystemError
-from trimmer.linear.nyquist import encirclements
-from trimmer.linear.zero_pole_gain import ZeroPoleGain
+from trimmer.linear import (
+    UnsupportedSystemError,
+    ZeroPoleGain,
+    antiresonances,
+    asymptotic_roll_off,
+    bandwidth,
+    encirclements,
+    filtering_ratio,
+    gain_crossings,
+    local_slope,
+    real_axis_crossings,
+    steady_state,
+)
 
 THESIS = TrimmerParameters.thesis()
 UNSUPPORTED = {

@@ -10,8 +10,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import exact_response, stable_systems
-from trimmer.linear import asymptotic_roll_off, bandwidth, bandwidth_crossings, filtering_ratio, local_slope
-from trimmer.linear.frequency_response import UnsupportedSystemError
+from trimmer.linear import (
+    UnsupportedSystemError,
+    asymptotic_roll_off,
+    bandwidth,
+    bandwidth_crossings,
+    filtering_ratio,
+    local_slope,
+)
 from trimmer.thesis import InputChannels, TrimmerParameters, pin_model
 
 THESIS = TrimmerParameters.thesis()

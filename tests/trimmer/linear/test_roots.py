@@ -8,8 +8,14 @@ import control
 import numpy as np
 import pytest
 
-from trimmer.linear import ZeroPoleGain, antiresonances, gain_crossings, real_axis_crossings, resonance_peaks
-from trimmer.linear.frequency_response import UnsupportedSystemError
+from trimmer.linear import (
+    UnsupportedSystemError,
+    ZeroPoleGain,
+    antiresonances,
+    gain_crossings,
+    real_axis_crossings,
+    resonance_peaks,
+)
 
 
 def test_a_slow_pole_is_no_rounding() -> None:

@@ -8,10 +8,16 @@ from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import trimmers
 from trimmer import TrimmerParameters, modes, pin_model, resonance_peaks, summarise
-from trimmer.linear import UnsupportedSystemError, asymptotic_roll_off, bandwidth, bandwidth_crossings
-from trimmer.linear.crossings import gain_crossings, real_axis_crossings
-from trimmer.linear.extrema import antiresonances
-from trimmer.linear.nyquist import encirclements
+from trimmer.linear import (
+    UnsupportedSystemError,
+    antiresonances,
+    asymptotic_roll_off,
+    bandwidth,
+    bandwidth_crossings,
+    encirclements,
+    gain_crossings,
+    real_axis_crossings,
+)
 from trimmer.thesis import Displacement, InputChannels, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()

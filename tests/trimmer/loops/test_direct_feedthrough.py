@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from trimmer import Drive, FrictionBacklash, OpenLoop, ViscousBacklash, simulate
-from trimmer.elements.element import Element
+from trimmer.elements import Element
 
 GAP = 0.1
 DRIVE = Drive(0.3, 2.0 * math.pi)

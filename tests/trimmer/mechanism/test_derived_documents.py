@@ -10,8 +10,8 @@ import pypandoc
 import pytest
 import typst
 
+from trimmer import Mechanism
 from trimmer.code_generation import derive_mechanism_sources
-from trimmer.mechanism.mechanism import Mechanism
 
 EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
 QUICK = {"oscillator-stop"}

@@ -12,7 +12,7 @@ from tests.mechanisms.brute_force import BruteForce
 from tests.mechanisms.dynamics import System
 from trimmer import FollowSettings, Mechanism, MotionKind, follow, forced_orbit, respond
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play
-from trimmer.response.orbit import MechanismOrbit
+from trimmer.response import MechanismOrbit
 from trimmer.response.response_json import response_json
 
 

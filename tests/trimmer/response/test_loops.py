@@ -14,10 +14,10 @@ import scipy.optimize
 from matplotlib.figure import Figure
 
 import trimmer
+from trimmer import SerialRunner
 from trimmer.command_line.mechanisms import follow_text, respond_text, sample_text
-from trimmer.design.targets import Measure
+from trimmer.design import Measure
 from trimmer.loops import BodyFriction
-from trimmer.runners.runner import SerialRunner
 from trimmer.uncertainty import SampleSettings, SampleStudy, uncertainty_from
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -11,7 +11,7 @@ from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.quick import quick
 from trimmer import ContactLaw, Mechanism, MechanismMotion, forced_orbit, respond, simulate
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Stop
-from trimmer.response.orbit import MechanismOrbit
+from trimmer.response import MechanismOrbit
 from trimmer.response.response_json import response_json
 
 FREQUENCY = 7.0

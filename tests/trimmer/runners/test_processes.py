@@ -6,10 +6,11 @@ from collections.abc import Iterator
 
 import pytest
 
+from trimmer import SerialRunner
 from trimmer.errors import WorkerError
+from trimmer.runners import ProcessRunner
 from trimmer.runners.chunks import AHEAD
-from trimmer.runners.processes import ProcessRunner
-from trimmer.runners.runner import CHUNK, SerialRunner
+from trimmer.runners.runner import CHUNK
 
 
 def square(number: int) -> int:

@@ -7,7 +7,7 @@ import os
 import threading
 import time
 
-from trimmer.runners.processes import ProcessRunner
+from trimmer.runners import ProcessRunner
 
 
 def slow(number: int) -> int:

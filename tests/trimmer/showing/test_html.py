@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 from IPython.core.formatters import HTMLFormatter
 
-from trimmer.displacement import TrimmerBody
 from trimmer.errors import MissingPackageError
 from trimmer.showing import html
 from trimmer.showing.frame import to_frame
 from trimmer.showing.shown import LONGEST, ShownFields, Tabular, counted
 from trimmer.showing.table import TERMS, Column, Table, arrays, attributes
+from trimmer.thesis import TrimmerBody
 
 
 class Colour(Enum):

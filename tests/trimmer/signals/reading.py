@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from trimmer.signals.read import read_signal
+from trimmer import read_signal
 from trimmer.signals.text_file import SignalFileError
 
 

@@ -4,8 +4,8 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
+from trimmer.signals import DecimalSign
 from trimmer.signals.cells import numbers_in
-from trimmer.signals.csv_layout import DecimalSign
 from trimmer.signals.text_file import SignalFileError
 
 

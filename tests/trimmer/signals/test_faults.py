@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from trimmer import Signal, faults
-from trimmer.signals.fault import Clipping, Dropout, FaultCertainty, FewSteps
+from trimmer.signals import Clipping, Dropout, FewSteps
+from trimmer.signals.fault import FaultCertainty
 
 RATE = 5000.0
 TIMES = np.arange(5000) / RATE

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from trimmer import Signal, WrongTypeError, faults
-from trimmer.signals.fault import Clipping, Dropout, Fault, FaultCertainty, FewSteps, Offset
+from trimmer.signals import Clipping, Dropout, FewSteps, Offset
+from trimmer.signals.fault import Fault, FaultCertainty
 
 RATE = 500.0
 WAVE = [0, 1, 2, 1, 0, -1, -2, -1]

@@ -5,8 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from trimmer.signals.quantity import MOTION_UNITS, MotionQuantity, in_si, quantity_of
-from trimmer.signals.signal import Signal, SignalError
+from trimmer import Signal
+from trimmer.signals import MotionQuantity, SignalError
+from trimmer.signals.quantity import MOTION_UNITS, in_si, quantity_of
 
 
 @pytest.mark.parametrize(

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from scipy.io import wavfile
 
-from trimmer.signals.reading_wav import is_wav, read_wav
+from trimmer.signals import read_wav, write_wav
+from trimmer.signals.reading_wav import is_wav
 from trimmer.signals.text_file import SignalFileError
-from trimmer.signals.wav import write_wav
 
 X = 0.5 * np.sin(np.arange(1000) / 10)
 KINDS = {

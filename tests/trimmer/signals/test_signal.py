@@ -7,9 +7,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from trimmer import Signal
 from trimmer.errors import WrongTypeError
-from trimmer.signals import Band
-from trimmer.signals.signal import Signal, SignalError, split_heading
+from trimmer.signals import Band, SignalError
+from trimmer.signals.signal import split_heading
 
 
 def test_times_and_duration_count_from_the_start() -> None:

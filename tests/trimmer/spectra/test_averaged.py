@@ -8,9 +8,10 @@ from scipy import signal as scipy_signal
 from scipy.stats import chi2, ncx2
 
 from tests.quick import quick
-from trimmer.signals.signal import Signal, SignalError
-from trimmer.spectra.averaged import averaged_spectrum, line_interval
-from trimmer.spectra.window import Window
+from trimmer import Signal
+from trimmer.signals import SignalError
+from trimmer.spectra import Window, averaged_spectrum
+from trimmer.spectra.averaged import line_interval
 
 RATE = 1000.0
 TIMES = np.arange(8000) / RATE

@@ -7,8 +7,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trimmer.signals import SignalError
-from trimmer.spectra import DriveFraction, Harmonic, LimitCycleLine, NaturalMode, Peak, Tolerance, classify
-from trimmer.spectra.classification import ClassifiedPeak
+from trimmer.spectra import (
+    ClassifiedPeak,
+    DriveFraction,
+    Harmonic,
+    LimitCycleLine,
+    NaturalMode,
+    Peak,
+    Tolerance,
+    classify,
+)
 
 MODES = (222.35, 354.84, 549.59, 1139.5)
 

@@ -7,7 +7,8 @@ import pytest
 
 from trimmer.errors import WrongTypeError
 from trimmer.signals import Band, Signal, SignalError
-from trimmer.spectra.comparison import SimulatedLines, compare_motions, found_frequency
+from trimmer.spectra import SimulatedLines, compare_motions
+from trimmer.spectra.comparison import found_frequency
 
 RATE = 5000.0
 TIMES = np.arange(6000) / RATE

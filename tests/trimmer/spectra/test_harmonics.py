@@ -6,9 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trimmer.errors import WrongTypeError
-from trimmer.signals.signal import SignalError
-from trimmer.spectra.harmonics import MOST_HARMONICS, fit_harmonics
-from trimmer.spectra.window import Window
+from trimmer.signals import SignalError
+from trimmer.spectra import Window, fit_harmonics
+from trimmer.spectra.harmonics import MOST_HARMONICS
 
 RATE = 20_000.0
 WEIGHTS = [Window.RECTANGULAR, Window.HANN, Window.BLACKMAN_HARRIS]

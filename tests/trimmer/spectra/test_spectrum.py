@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy import signal as scipy_signal
 
-from trimmer.signals.signal import SignalError
-from trimmer.spectra.spectrum import FEWEST_SAMPLES, amplitude_spectrum
-from trimmer.spectra.window import Window
+from trimmer.signals import SignalError
+from trimmer.spectra import Window, amplitude_spectrum
+from trimmer.spectra.spectrum import FEWEST_SAMPLES
 
 SCIPY_NAMES = {
     Window.RECTANGULAR: "boxcar",

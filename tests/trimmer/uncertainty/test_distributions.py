@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from trimmer.uncertainty.distributions import JointScatter, Normal, Scatter, Uncertainty, Uniform
-from trimmer.uncertainty.points import Plan, within_cube
+from trimmer.uncertainty import JointScatter, Normal, Plan, Scatter, Uncertainty, Uniform
+from trimmer.uncertainty.points import within_cube
 
 SHARES = np.array([1e-6, 0.1, 0.5, 0.9, 1 - 1e-6])
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from trimmer.errors import UncertaintyError
-from trimmer.uncertainty.distributions import JointScatter, Normal, Scatter, Uncertainty
+from trimmer.uncertainty import JointScatter, Normal, Scatter, Uncertainty
 from trimmer.uncertainty.indices import indices_of, require_independent, saltelli_points
 
 pytest.importorskip("SALib")

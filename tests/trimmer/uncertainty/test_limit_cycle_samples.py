@@ -11,8 +11,13 @@ from trimmer import FrictionBacklash, TrimmerParameters, limit_cycles, pin_model
 from trimmer.ensembles import SampledLimitCycles
 from trimmer.errors import UncertaintyError
 from trimmer.thesis import ParameterError
-from trimmer.uncertainty import LimitCycleSamples, Plan, read_parameter_sample_file, sample_limit_cycles
-from trimmer.uncertainty.sample_inputs import SampleSettings
+from trimmer.uncertainty import (
+    LimitCycleSamples,
+    Plan,
+    SampleSettings,
+    read_parameter_sample_file,
+    sample_limit_cycles,
+)
 
 GAP = 4e-5
 

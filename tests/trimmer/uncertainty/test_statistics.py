@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from trimmer.uncertainty.statistics import Share, distribution_of, share_of
+from trimmer.uncertainty import Share, distribution_of, share_of
 
 
 def test_wilsons_interval_is_that_of_a_textbook() -> None:

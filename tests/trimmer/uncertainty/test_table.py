@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from trimmer.errors import MechanismError
-from trimmer.uncertainty.distributions import Normal, Uniform
+from trimmer.uncertainty import Normal, Uniform
 from trimmer.uncertainty.sample_file import sample_file_of_text
 
 MECHANISM = """

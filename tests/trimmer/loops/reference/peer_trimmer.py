@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy.integrate import solve_ivp
 
+from trimmer import TrimmerParameters
 from trimmer.arrays import Reals
-from trimmer.parameters import TrimmerParameters
 
 EventFunction = Callable[[float, Reals], float]
 
