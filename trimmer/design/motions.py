@@ -62,7 +62,7 @@ class Neighbours:
 
 @dataclass(frozen=True)
 class Motions:
-    """The motions that were found.
+    """The motions to which a mechanism was found to settle.
 
     Attributes:
         found: The first is that from rest, or from the file's own start, if it could be measured.

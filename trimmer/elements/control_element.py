@@ -36,7 +36,7 @@ _DIFFERENT = 0.01
 @final
 @dataclass(frozen=True, eq=False)
 class ControlElement(UnboundedElement):
-    """A ``control.DescribingFunctionNonlinearity``, of which a copy is kept; the one given is left as it is.
+    """An element made of a copy of a ``control.DescribingFunctionNonlinearity``.
 
     N is its own ``describing_function`` if it has one, else it is integrated from its output, as the higher
     harmonics are. A nonlinearity with memory runs through two periods before its output counts. No bounds are

@@ -237,7 +237,7 @@ class Friction:
 
 @dataclass(frozen=True)
 class Force:
-    """constant + amplitude sin(2 pi order frequency t + phase) on a body.
+    """A force on a body, constant + amplitude sin(2 pi order frequency t + phase).
 
     Attributes:
         on: The body or point.
@@ -281,7 +281,7 @@ class OutputKind(Choice):
 
 @dataclass(frozen=True)
 class Output:
-    """What is asked for: a sum of displacements, velocities or accelerations, or what a part exerts.
+    """An output: a sum of displacements, velocities or accelerations, or what a part exerts.
 
     Attributes:
         weights: Factor of each body's, point's and pin's displacement, velocity or acceleration; none of a

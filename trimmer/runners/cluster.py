@@ -30,7 +30,7 @@ _ONE_AT_A_TIME = threading.Lock()
 
 @dataclass(frozen=True)
 class ClusterRunner:
-    """Does the cells on a Dask cluster.
+    """A runner that does cells on a Dask cluster.
 
     The workers need the same Python and the same libraries; that is checked with each chunk. Results are then
     those of this computer, to the last digit if its linear algebra runs on one thread as that of Dask's

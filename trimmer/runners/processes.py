@@ -33,7 +33,7 @@ MOST_OF_A_CORE = 4
 
 @dataclass(frozen=True)
 class ProcessRunner:
-    """Does the cells in several processes of this computer.
+    """A runner that does cells in several processes of this computer.
 
     Attributes:
         processes: How many at most; by default as many as there are cores for this process. There are never

@@ -18,7 +18,7 @@ CHUNK = 8
 
 
 class Runner(Protocol):
-    """Does the work of cells, here or elsewhere."""
+    """What does the work of cells, here or elsewhere."""
 
     def results(self, work: Callable[[Cell], Result], cells: Iterable[Cell]) -> Iterator[Result]:
         """Yield the results of the cells as they come, in any order.
@@ -32,7 +32,7 @@ class Runner(Protocol):
 
 @dataclass(frozen=True)
 class SerialRunner:
-    """Does one cell after the other in this process."""
+    """A runner that does one cell after the other in this process."""
 
     def results(self, work: Callable[[Cell], Result], cells: Iterable[Cell]) -> Iterator[Result]:
         """Yield the results of the cells in their order."""

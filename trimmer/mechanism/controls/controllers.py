@@ -19,7 +19,7 @@ DIFFERENCE = "difference"
 
 @dataclass(frozen=True, kw_only=True)
 class Controller:
-    """What all controllers share.
+    """A controller: what it measures, between which ends it acts, its limit, sample and delay.
 
     Attributes:
         measure: Name of the output y.
@@ -65,7 +65,7 @@ class Controller:
 
 @dataclass(frozen=True, kw_only=True)
 class Pid(Controller):
-    """u = kp e + I + D with I' = ki e and D = kd (e - z)/filter_time, z' = (e - z)/filter_time.
+    """PID control, u = kp e + I + D with I' = ki e, D = kd (e - z)/filter_time, z' = (e - z)/filter_time.
 
     Attributes:
         kp: Gain, N/m.
@@ -125,7 +125,7 @@ class Cascade(Controller):
 
 @dataclass(frozen=True, kw_only=True)
 class TransferController(Controller):
-    """u = C(s) e with a proper transfer function C.
+    """Control by a proper transfer function C of the error, u = C(s) e.
 
     Attributes:
         numerator: Coefficients, descending powers of s.

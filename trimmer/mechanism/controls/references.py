@@ -12,7 +12,7 @@ from trimmer.mechanism.parts import Row
 
 @dataclass(frozen=True)
 class StepReference:
-    """0 before a time, and a value from then on.
+    """A reference that is 0 before a time, and a value from then on.
 
     Attributes:
         step: The value.
@@ -27,7 +27,7 @@ class StepReference:
 
 @dataclass(frozen=True)
 class RampReference:
-    """0 before a time, and then ramp (t - at).
+    """A reference that is 0 before a time, and then ramp (t - at).
 
     Attributes:
         ramp: The rate, 1/s.
@@ -42,7 +42,7 @@ class RampReference:
 
 @dataclass(frozen=True)
 class SineReference:
-    """sine sin(2 pi frequency t + phase).
+    """A reference that vibrates, sine sin(2 pi frequency t + phase).
 
     Attributes:
         sine: The amplitude.
@@ -59,7 +59,7 @@ class SineReference:
 
 @dataclass(frozen=True)
 class ProfileReference:
-    """Straight between points, constant before the first and after the last.
+    """A reference that is straight between points, constant before the first and after the last.
 
     Attributes:
         profile: Time, s, and value of each point.
