@@ -20,11 +20,6 @@ class Plan(Choice):
     LATIN_HYPERCUBE = "latin-hypercube"
     SOBOL = "sobol"
 
-    @property
-    def word(self) -> str:
-        """``latin-hypercube`` or ``sobol``."""
-        return str(self.value)
-
     def count(self, wanted: int) -> int:
         """Return how many points there will be: of Sobol a power of two, since others are not even."""
         return 2 ** math.ceil(math.log2(wanted)) if self is Plan.SOBOL else wanted
