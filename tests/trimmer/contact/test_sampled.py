@@ -12,7 +12,18 @@ from scipy.linalg import expm
 
 from tests.mechanisms.sampled import SampledControl, by_brute_force, instants
 from tests.quick import quick
-from trimmer import Body, FollowSettings, Force, Link, Mechanism, follow, forced_orbit, respond, simulate
+from trimmer import (
+    Body,
+    FollowSettings,
+    Force,
+    Friction,
+    Link,
+    Mechanism,
+    follow,
+    forced_orbit,
+    respond,
+    simulate,
+)
 from trimmer.contact.flow import MechanismFlow
 from trimmer.errors import MechanismError, OrbitNotFoundError
 from trimmer.mechanism import Cascade, Controller, Output, Pid, Play, StepReference, TransferController, Wall
@@ -334,3 +345,34 @@ def test_no_sample_is_far_shorter_than_the_slowest_period() -> None:
                 MechanismError, match=r"controllers\.axis\.sample = \S+: it is shorter than 1e-"
             ):
                 ask(axis(0.99 * slowest, frequency))
+
+
+def test_what_sticks_at_first_is_no_slow_motion_beside_which_samples_are_too_short() -> None:
+    """A place and a velocity that stick are zero eigenvalues together, which rounding parts by its root."""
+    sampled = Cascade(
+        measure="y", acts=("ground", "a"), reference="path", kp=37.4, kv=5.9, sample=0.007, delay=0.002
+    )
+    stuck = Mechanism(
+        {"a": Body(0.400083), "b": Body(1.557674), "c": Body(1.88983)},
+        links={
+            "first": Link(("ground", "a"), 1790.7, 3.45),
+            "second": Link(("ground", "b"), 6829.3, 12.7),
+            "third": Link(("ground", "c"), 4075.6, 51.3),
+        },
+        frictions={"rub": Friction(("c", "a"), 353.0)},
+        outputs={"y": Output({"a": 1.0})},
+        controllers={"k": sampled},
+        references={"path": StepReference(0.5)},
+    )
+    glued = replace(
+        stuck,
+        bodies={"a": Body(0.400083 + 1.88983), "b": Body(1.557674)},
+        links={
+            "first": Link(("ground", "a"), 1790.7 + 4075.6, 3.45 + 51.3),
+            "second": Link(("ground", "b"), 6829.3, 12.7),
+        },
+        frictions={},
+    )
+    times = np.linspace(0.0, 0.5, 51)
+    one, other = (simulate(each, 0.5).signal("y", times) for each in (stuck, glued))
+    np.testing.assert_allclose(one, other, rtol=0, atol=1e-13)
