@@ -6,17 +6,24 @@ from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.file_options import add_input
+from trimmer.command_line.number_options import add_positive
+from trimmer.command_line.parser import ENDED_EARLY, tell
 from trimmer.errors import TrimmerError
+from trimmer.proof.outcome import LIMIT
 
 
 def _configure(parser: ArgumentParser) -> None:
     add_input(parser, "file", "proof, a JSON file that Proof.write has written")
+    add_positive(parser, "--limit", "s", f"give up after that time, undecided (default: {LIMIT:g})")
 
 
 def _run(arguments: Namespace) -> int:
     from trimmer.proof.proof import check_proof
 
-    proof = check_proof(arguments.file)
+    proof = check_proof(arguments.file, arguments.limit or LIMIT)
+    if not proof.in_time:
+        tell(f"{arguments.file}: not verified, and not refuted: {proof.reason} with --limit")
+        return ENDED_EARLY
     if not proof:
         raise TrimmerError(f"{arguments.file}: not proven ({proof.verdict}): {proof.reason}")
     print(f"Proven again. {proof.theorem}")

@@ -9,7 +9,7 @@ from trimmer.command_line.command import Command
 
 EXIT_CODES = (
     "Exit codes: 0 done; 1 an error of the program itself; 2 wrong use, or a file or output that cannot be "
-    "used; 3 a simulation that ended before its time; 130 interrupted."
+    "used; 3 a simulation or a check that ended before its time; 130 interrupted."
 )
 WIDTH = 79
 _LINE = "\n"

@@ -9,7 +9,7 @@ from flint import arb, arb_mat, arb_poly
 
 from trimmer.proof.balls import hull
 from trimmer.proof.following import BY_LAW, Followed, Motion, Segment, moduli, norm
-from trimmer.proof.outcome import RefutedError, UndecidedError
+from trimmer.proof.outcome import RefutedError, UndecidedError, require_time
 
 TERMS = 18
 """Of Taylor's polynomials over a step."""
@@ -47,6 +47,7 @@ def _require_positive_between(motion: Motion, number: int, over: Followed) -> li
     whole, passed = (segment.flow * step).exp(), [over.starts[number]]
     falling = () if segment.fired is None else (segment.fired, *_together(segment))
     for place in range(count):
+        require_time()
         zeros, left = ({} if place else segment.zeros), (falling if place == count - 1 else ())
         _require_positive(motion, number, scaled, (passed[-1], step), zeros, left)
         passed.append(whole * passed[-1])
@@ -137,6 +138,7 @@ def _require_above(polynomial: arb_poly, error: arb, called: str) -> None:
     """Divide the shares of a step, 0 to 1, until a polynomial is larger than its error on each."""
     waiting = [(0.0, 1.0)]
     while waiting:
+        require_time()
         first, last = waiting.pop()
         value = polynomial(hull(first, last))
         if value < -error:

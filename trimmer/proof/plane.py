@@ -19,7 +19,7 @@ from flint import acb, acb_poly, arb, fmpq, fmpq_poly
 
 from trimmer.proof.balls import PI, about, along_axis, exact, hull, in_balls, real
 from trimmer.proof.described import Parts, carried_play, corner, ideal_play, thrown_play
-from trimmer.proof.outcome import UndecidedError
+from trimmer.proof.outcome import UndecidedError, require_time
 
 LAST = math.nextafter(math.pi, 4.0)
 """The end of the flights, rounded up."""
@@ -215,6 +215,7 @@ class Plane:
     def _search(self, start: Box, settled: Callable[[Box], bool | None]) -> None:
         waiting = [start]
         while waiting:
+            require_time()
             self.examined += 1
             box = waiting.pop()
             answer = settled(box)
@@ -328,6 +329,7 @@ class Plane:
     def _is_quiet(self, start: Box, settled: Callable[[Box], bool | None]) -> bool:
         waiting = [start]
         while waiting:
+            require_time()
             box = waiting.pop()
             if settled(box) is not None:
                 if box.t[1] - box.t[0] < 1e-3:

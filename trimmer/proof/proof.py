@@ -13,7 +13,7 @@ from trimmer.errors import MissingPackageError, TrimmerError
 from trimmer.files import read_content, write_atomically
 from trimmer.json_data import DataError, parsed_json, typed
 from trimmer.messages import shown_value
-from trimmer.proof.outcome import UnprovenError, Verdict
+from trimmer.proof.outcome import LIMIT, OutOfTimeError, UnprovenError, Verdict, time_limit
 from trimmer.proof.statement import LimitCycles, Orbit, SpecialPoint
 
 _FORMAT = 1
@@ -33,6 +33,7 @@ class Proof:
         theorem: What is proven, a sentence; empty if nothing is.
         reason: Why nothing is proven, or what is wrong, without a full stop; empty if it is proven.
         data: What the statement is about, and all that is needed to verify it again.
+        in_time: Whether the check ended before its limit of time; if not, the verdict is ``undecided``.
     """
 
     statement: str
@@ -40,6 +41,7 @@ class Proof:
     theorem: str
     reason: str
     data: dict[str, Any] = field(repr=False, compare=False)
+    in_time: bool = field(default=True, repr=False)
 
     def __bool__(self) -> bool:
         """Return whether it is proven."""
@@ -58,8 +60,8 @@ class Proof:
         write_atomically(path, "{" + ",\n ".join(lines) + "}\n")
 
 
-def proof_of(statement: str, data: dict[str, Any]) -> Proof:
-    """Check a statement about data.
+def proof_of(statement: str, data: dict[str, Any], limit: float = LIMIT) -> Proof:
+    """Check a statement about data, within a time, s.
 
     Raises:
         MissingPackageError: if python-flint is not installed.
@@ -67,14 +69,20 @@ def proof_of(statement: str, data: dict[str, Any]) -> Proof:
     """
     check = _checks()[statement]
     try:
-        theorem = check(typed(_STATEMENTS[statement], data))
+        with time_limit(limit):
+            theorem = check(typed(_STATEMENTS[statement], data))
     except UnprovenError as error:
-        return Proof(statement, error.verdict, "", str(error), data)
+        in_time = not isinstance(error, OutOfTimeError)
+        return Proof(statement, error.verdict, "", str(error), data, in_time)
     return Proof(statement, Verdict.PROVEN, theorem, "", data)
 
 
-def check_proof(path: Path | str) -> Proof:
+def check_proof(path: Path | str, limit: float = LIMIT) -> Proof:
     """Verify the theorem of a file again, from its data alone.
+
+    Args:
+        path: The file.
+        limit: Time after which the check gives up at its next step, s.
 
     Returns:
         What comes out: proven only if the file says so, its data are those with which it was written, and its
@@ -87,7 +95,7 @@ def check_proof(path: Path | str) -> Proof:
     told = _read(Path(path))
     statement, data = told["statement"], told["data"]
     try:
-        proof = proof_of(statement, data)
+        proof = proof_of(statement, data, limit)
     except (ArithmeticError, ValueError) as error:
         raise ProofFileError(
             f"{path}: its data are not those of a proof ({error}); write the proof again"

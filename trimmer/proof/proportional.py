@@ -15,7 +15,7 @@ from flint import acb, arb, fmpq, fmpq_poly
 
 from trimmer.proof.balls import PI, along_axis, hull, in_balls, positive_roots, real
 from trimmer.proof.described import Parts, corner
-from trimmer.proof.outcome import UndecidedError
+from trimmer.proof.outcome import UndecidedError, require_time
 
 Solution = tuple[arb, arb]
 """Amplitude and omega, rad/s."""
@@ -113,6 +113,7 @@ def _roots_between(
 ) -> Iterator[arb]:
     waiting, pieces = [(lower, upper)], 0
     while waiting:
+        require_time()
         pieces += 1
         if pieces > MOST_PIECES:
             raise UndecidedError("N nearly touches what is wanted")

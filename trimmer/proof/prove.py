@@ -17,7 +17,7 @@ from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.errors import TrimmerError
 from trimmer.loops.loops import ClosedLoop
 from trimmer.proof.modes import begun_amid, equations_data, motion_data, orbit_data
-from trimmer.proof.outcome import UndecidedError, Verdict
+from trimmer.proof.outcome import LIMIT, UndecidedError, Verdict
 from trimmer.proof.proof import Proof, proof_of
 from trimmer.proof.terms import element_data, plant_data
 from trimmer.response.flows import flow_of, require_subject
@@ -38,6 +38,7 @@ def prove_limit_cycles(
     loop: ClosedLoop,
     limit_cycles: Sequence[LimitCycle] | HarmonicBalance,
     omega_range: tuple[float, float] | None = None,
+    limit: float = LIMIT,
 ) -> Proof:
     """Prove that a list of limit cycles is that of harmonic balance: no more, no less.
 
@@ -49,6 +50,7 @@ def prove_limit_cycles(
         limit_cycles: The list, or the result of ``harmonic_balance``.
         omega_range: Lowest and highest angular frequency, rad/s, within which the list is complete; all if
             not given.
+        limit: Time after which the check gives up, undecided, s.
 
     Returns:
         Proven, if there are exactly these, each within 1e-9 of its amplitude and omega. Refuted, if one is
@@ -70,10 +72,10 @@ def prove_limit_cycles(
     if data["element"] is None:
         reason = f"{loop.element!r} has no closed form that the check knows"
         return Proof("limit cycles", Verdict.UNDECIDED, "", reason, data)
-    return proof_of("limit cycles", data)
+    return proof_of("limit cycles", data, limit)
 
 
-def prove_orbit(system: Subject, orbit: Orbit) -> Proof:
+def prove_orbit(system: Subject, orbit: Orbit, limit: float = LIMIT) -> Proof:
     """Prove that a system has a periodic motion where one was computed, with these events and no other.
 
     What is taken for granted are the equations of each mode, as the assembler of the system gives them: flow,
@@ -83,6 +85,7 @@ def prove_orbit(system: Subject, orbit: Orbit) -> Proof:
     Args:
         system: The mechanism or loop; its modes are those of the statement.
         orbit: The orbit, as ``forced_orbit``, ``periodic_orbits`` or ``respond`` gives it.
+        limit: Time after which the check gives up, undecided, s.
 
     Returns:
         Proven, with the largest modulus of its multipliers enclosed. Refuted, if the motion is elsewhere, has
@@ -102,10 +105,12 @@ def prove_orbit(system: Subject, orbit: Orbit) -> Proof:
         data = orbit_data(orbit, flow)
     except UndecidedError as error:
         return Proof("orbit", Verdict.UNDECIDED, "", str(error), {})
-    return proof_of("orbit", data)
+    return proof_of("orbit", data, limit)
 
 
-def prove_special_point(system: Subject, branch: FollowedBranch, special: SpecialPoint) -> Proof:
+def prove_special_point(
+    system: Subject, branch: FollowedBranch, special: SpecialPoint, limit: float = LIMIT
+) -> Proof:
     """Prove that a branch has a special point, and where: to nine digits, within six of what was computed.
 
     The equations are taken as straight lines over the number, through those at two values a millionth aside.
@@ -116,6 +121,7 @@ def prove_special_point(system: Subject, branch: FollowedBranch, special: Specia
         system: The mechanism or loop that was followed; of the number that was varied any value will do.
         branch: The branch.
         special: One of its special points.
+        limit: Time after which the check gives up, undecided, s.
 
     Returns:
         Proven, refuted or undecided. Grazings, tori, and a symmetry breaking of other than a motion that is
@@ -133,7 +139,7 @@ def prove_special_point(system: Subject, branch: FollowedBranch, special: Specia
     except (TrimmerError, UndecidedError) as error:
         told = {"kind": special.kind.word, "place": branch.map.place, "value": float(special.value)}
         return Proof("special point", Verdict.UNDECIDED, "", str(error).rstrip("."), told)
-    return proof_of("special point", data)
+    return proof_of("special point", data, limit)
 
 
 def _returns(passage: DrivenPassage) -> bool:

@@ -214,3 +214,21 @@ KEPT = sorted((Path(__file__).parents[3] / "examples" / "proofs").glob("*.json")
 @pytest.mark.parametrize("path", quick(KEPT, 0, 1, 2, 4))
 def test_the_proofs_that_are_kept_hold(path: Path) -> None:
     assert check_proof(path).verdict == "proven"
+
+
+@pytest.mark.parametrize("name", ["thesis-limit-cycles", "thesis-stable-orbit"])
+def test_what_is_not_verified_in_the_time_is_not_refuted(
+    name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = str(next(each for each in KEPT if each.stem == name))
+    assert main(["check", path, "--limit", "1e-6"]) == 3
+    told = capsys.readouterr()
+    assert "not verified, and not refuted: nothing was told within the limit of 1e-06 s" in told.err
+    assert not told.out
+    assert main(["check", path]) == 0
+
+
+def test_a_list_that_is_not_proven_in_the_time_is_undecided() -> None:
+    proof = prove_limit_cycles(*balanced(*LOOPS["the thesis's"]), limit=1e-6)
+    assert (proof.verdict, proof.in_time, proof.theorem) == ("undecided", False, "")
+    assert "within the limit of 1e-06 s; allow more time" in proof.reason
