@@ -19,12 +19,10 @@ from functools import cached_property
 from flint import arb, arb_mat, ctx, fmpq
 
 from trimmer.proof.balls import about, exact, real
-from trimmer.proof.outcome import UndecidedError
+from trimmer.proof.outcome import UndecidedError, require_time
 from trimmer.proof.statement import Course, Equations, Row, SpecialPoint
 
-ORBIT_PRECISION = 448
-"""Bits: enough for balls that grow by a factor e with each step of 1/|M|."""
-MOST_TERMS = 24
+MOST_TERMS = 36
 """Of Taylor's polynomials over what an event is later than computed."""
 BY_LAW = 1e-9
 """Share of its terms below which something is taken for what the law says: zero."""
@@ -254,6 +252,7 @@ class Motion:
         total, elapsed = arb(0), arb(0)
         starts, ends, lates = [], [], []
         for segment in self.segments:
+            require_time()
             elapsed += segment.duration
             _, functions, reset = segment.lifted
             columns = reset * columns

@@ -9,23 +9,53 @@ from __future__ import annotations
 from flint import arb, ctx
 
 from trimmer.proof.between_events import require_no_other_events
-from trimmer.proof.following import BY_LAW, ORBIT_PRECISION, RADIUS, Motion
+from trimmer.proof.following import BY_LAW, RADIUS, Motion
 from trimmer.proof.form import require_form, require_rest_at_start, require_shortest
 from trimmer.proof.outcome import RefutedError, UndecidedError
-from trimmer.proof.returning import first_guess, multipliers_of, solve
+from trimmer.proof.returning import first_guess, first_step, multipliers_of, scales, solve
 from trimmer.proof.statement import Orbit
 
 NEAR = 1e-9
 """Distance from the computed motion, as a share of the size of each state, within which it is that."""
+TRIES = ((448, RADIUS), (1408, -640))
+"""Bits, and the power of two of the radius of the ball of starts; the second where balls grow too far.
+
+They grow by about a factor e with each step of 1/|M|.
+"""
 
 
 def check_orbit(data: Orbit) -> str:
     """Hold a periodic motion against the equations of its modes; return the theorem."""
-    with ctx.workprec(ORBIT_PRECISION):
+    *narrow, last = TRIES
+    for bits, radius in narrow:
+        try:
+            return _checked(data, bits, radius)
+        except UndecidedError:
+            with ctx.workprec(bits):
+                _require_alone(Motion(data.motion, data.equations))
+    return _checked(data, *last)
+
+
+def _require_alone(motion: Motion) -> None:
+    """Tell a family: what stays where it is put, although Newton's step from there is long."""
+    guess = first_guess(motion)
+    back, step, sizes = motion.follow(guess).back, first_step(motion), scales(motion)
+    gaps = [abs(end - begin) for end, begin in zip(back, guess, strict=False)]
+    stays = all(gap < NEAR * size for gap, size in zip(gaps, sizes, strict=False))
+    if stays and any(abs(each) > NEAR * size for each, size in zip(step, sizes, strict=True)):
+        raise UndecidedError("1 is a multiplier, to the digits of the motion: it may be one of a family")
+
+
+def _checked(data: Orbit, bits: int, radius: int) -> str:
+    with ctx.workprec(bits):
         motion = Motion(data.motion, data.equations)
         require_form(motion)
-        found = solve(motion)
-        require_near(motion, found.unknown, NEAR)
+        found = solve(motion, radius=radius)
+        try:
+            require_near(motion, found.unknown, NEAR)
+        except RefutedError:
+            _require_alone(motion)
+            raise
         require_rest_at_start(motion, found.unknown)
         require_no_other_events(motion, found.over)
         require_shortest(motion, found.over)
@@ -34,17 +64,13 @@ def check_orbit(data: Orbit) -> str:
             told = {True: "stable", False: "unstable", None: "of undecided stability"}
             error = UndecidedError if stable is None else RefutedError
             raise error(f"it is said to be {told[data.stable]}, and is {told[stable]}")
-        return _theorem(motion, data, stable, largest)
+        return _theorem(motion, data, stable, largest, radius)
 
 
 def require_near(motion: Motion, unknown: list[arb], near: float) -> None:
     """Hold what returns against what was computed."""
     for i, given in enumerate(motion.start):
         if not abs(unknown[i] - given) < near * motion.sizes[i]:
-            back = motion.follow(first_guess(motion)).back
-            pairs = zip(back, motion.start, motion.sizes, strict=False)
-            if all(abs(end - begin) < near * size for end, begin, size in pairs):
-                raise UndecidedError("it stays where it is put, and the motion that returns is elsewhere")
             told = float((unknown[i] * motion.units[i]).mid())
             raise RefutedError(f"the motion begins elsewhere: state {i} is {told!r}")
     if motion.autonomous and not abs(unknown[motion.n]) < near * motion.period:
@@ -68,7 +94,7 @@ def taken_as_zero(motion: Motion) -> str:
     )
 
 
-def _theorem(motion: Motion, data: Orbit, stable: bool | None, largest: str) -> str:
+def _theorem(motion: Motion, data: Orbit, stable: bool | None, largest: str, radius: int) -> str:
     """Say what is proven."""
     course, events = motion.course, len(motion.segments) - 1
     if motion.autonomous:
@@ -92,7 +118,7 @@ def _theorem(motion: Motion, data: Orbit, stable: bool | None, largest: str) -> 
         "and what it says of the states after each event, its numbers taken as exact, has a periodic "
         f"motion{shifted}{moving} with {lasts}, with the {events} events of this file{sampled} in its order "
         f"and no other, which begins within {NEAR:g} of the state of this file, as a share of the sizes of "
-        f"the states. In a ball of {2.0**RADIUS:.1g} of these sizes about it no other start{across} returns "
+        f"the states. In a ball of {2.0**radius:.1g} of these sizes about it no other start{across} returns "
         f"with these events.{taken_as_zero(motion)} It is {word}: the largest modulus of its "
         f"multipliers{beside} is {largest}."
     )

@@ -87,7 +87,7 @@ def solve(
         guess: Where to begin; as computed if not given.
         radius: Power of two of the radius of the ball, as a share of the sizes.
     """
-    middle = newton(motion, plane, guess)
+    middle = newton(motion, plane, guess, radius)
     radii = [each * arb(2) ** radius for each in scales(motion)]
     ball = [m + about(r) for m, r in zip(middle, radii, strict=True)]
     over = motion.follow(ball, True)
@@ -101,8 +101,10 @@ def solve(
     return Returned([each + image[i, 0] for i, each in enumerate(middle)], ball, over)
 
 
-def newton(motion: Motion, plane: Plane | None = None, guess: list[arb] | None = None) -> list[arb]:
-    """Find about what returns, by Newton's method."""
+def newton(
+    motion: Motion, plane: Plane | None = None, guess: list[arb] | None = None, radius: int = RADIUS
+) -> list[arb]:
+    """Find about what returns, by Newton's method, to less than the radius of a ball."""
     middle = guess or first_guess(motion)
     plane = plane and Plane(plane.place, plane.weights, arb(plane.height.mid()))
     inverse = inverse_of(derivative_of(motion, motion.follow(middle, True), plane))
@@ -110,11 +112,19 @@ def newton(motion: Motion, plane: Plane | None = None, guess: list[arb] | None =
         step = _step(motion, motion.follow(middle), middle, plane, inverse)
         middle = [arb((each + step[i, 0]).mid()) for i, each in enumerate(middle)]
         if all(
-            abs(step[i, 0]) < each * arb(2) ** (RADIUS - 20) or step[i, 0].contains(0)
+            abs(step[i, 0]) < each * arb(2) ** (radius - 20) or step[i, 0].contains(0)
             for i, each in enumerate(scales(motion))
         ):
             break
     return middle
+
+
+def first_step(motion: Motion) -> list[arb]:
+    """Return Newton's step from what was computed."""
+    guess = first_guess(motion)
+    followed = motion.follow(guess, True)
+    step = _step(motion, followed, guess, None, inverse_of(derivative_of(motion, followed)))
+    return [arb(each) for each in step.entries()]
 
 
 def derivative_of(motion: Motion, followed: Followed, plane: Plane | None = None) -> arb_mat:

@@ -331,3 +331,21 @@ def proven_and_held_against_brute_force(seeds: range) -> int:
 def test_of_random_machines_none_is_proven_wrongly(seeds: range) -> None:
     """Of 0 to 199 it was 136; 45 were not proven, and 19 have no motion that repeats."""
     assert proven_and_held_against_brute_force(seeds), "nothing was held against brute force"
+
+
+@pytest.mark.parametrize("seed", quick([1014, 1012, 1129], 0))
+def test_an_orbit_over_which_balls_grow_far_is_proven_with_more_bits(seed: int) -> None:
+    """Of 1000 to 1129 it was 97, ten of them so; 23 were not proven, and 10 have no motion that repeats."""
+    mechanism = random_mechanism(seed)
+    orbit = forced_orbit(mechanism)
+    proof = prove_orbit(mechanism, orbit)
+    assert (proof.verdict, proof.reason) == ("proven", "")
+    assert "In a ball of 2e-193 of these sizes" in proof.theorem
+    require_return_and_events(proof, orbit, mechanism, seed)
+
+
+def test_one_of_a_family_is_undecided_and_says_so() -> None:
+    mechanism = random_mechanism(1029)
+    proof = prove_orbit(mechanism, forced_orbit(mechanism))
+    assert (proof.verdict, proof.theorem) == ("undecided", "")
+    assert "it may be one of a family" in proof.reason
