@@ -26,7 +26,7 @@ _CIRCULAR = (sympy.sin, sympy.cos, sympy.exp)
 
 
 @dataclass(frozen=True)
-class Proof:
+class IdentityProof:
     """Outcome of the attempt to prove an identity.
 
     Attributes:
@@ -44,7 +44,7 @@ class UnprovenError(ValueError):
     """Two expressions that a derivation takes for equal are not proven to be equal."""
 
 
-def prove_equal(left: sympy.Expr, right: sympy.Expr, assume: sympy.Basic = sympy.true) -> Proof:
+def prove_equal(left: sympy.Expr, right: sympy.Expr, assume: sympy.Basic = sympy.true) -> IdentityProof:
     """Prove or disprove that two scalar expressions are equal for all values of their symbols.
 
     Args:
@@ -63,21 +63,21 @@ def prove_equal(left: sympy.Expr, right: sympy.Expr, assume: sympy.Basic = sympy
     difference = _with_plain_symbols(sympy.sympify(left) - sympy.sympify(right))
     counterexample = _find_counterexample(difference, assume, QUICK_POINTS)
     if counterexample is not None:
-        return Proof(False, f"the sides differ at {counterexample}")
+        return IdentityProof(False, f"the sides differ at {counterexample}")
     expansion = _expansion(difference)
     if expansion is not None:
         return expansion
     if sympy.simplify(difference) == 0:
-        return Proof(True, "difference simplifies to zero")
+        return IdentityProof(True, "difference simplifies to zero")
     counterexample = _find_counterexample(difference, assume, POINTS)
     if counterexample is not None:
-        return Proof(False, f"the sides differ at {counterexample}")
+        return IdentityProof(False, f"the sides differ at {counterexample}")
     method = f"difference below 1e-40 at {POINTS} random rational points, {DIGITS} digits"
-    return Proof(True, method, sampled=True)
+    return IdentityProof(True, method, sampled=True)
 
 
 @cache
-def require_equal(name: str, left: sympy.Expr, right: sympy.Expr) -> Proof:
+def require_equal(name: str, left: sympy.Expr, right: sympy.Expr) -> IdentityProof:
     """Prove that two scalar expressions are equal; expansion alone suffices for most, and is tried first.
 
     Args:
@@ -94,7 +94,7 @@ def require_equal(name: str, left: sympy.Expr, right: sympy.Expr) -> Proof:
     return proof
 
 
-def prove_equal_matrices(left: sympy.MatrixBase, right: sympy.MatrixBase) -> Proof:
+def prove_equal_matrices(left: sympy.MatrixBase, right: sympy.MatrixBase) -> IdentityProof:
     """Prove or disprove that two matrices have the same shape and equal entries.
 
     Returns:
@@ -102,19 +102,19 @@ def prove_equal_matrices(left: sympy.MatrixBase, right: sympy.MatrixBase) -> Pro
         points speak; the method is that of the weakest entry.
     """
     if left.shape != right.shape:
-        return Proof(False, f"shapes {left.shape} and {right.shape} differ")
+        return IdentityProof(False, f"shapes {left.shape} and {right.shape} differ")
     proofs = []
     for row in range(left.rows):
         for column in range(left.cols):
             proof = prove_equal(left[row, column], right[row, column])
             if not proof.holds:
-                return Proof(False, f"entry ({row + 1}, {column + 1}): {proof.method}")
+                return IdentityProof(False, f"entry ({row + 1}, {column + 1}): {proof.method}")
             proofs.append(proof)
     weakest = max(proofs, key=_weakness)
     return replace(weakest, method=f"all {len(proofs)} entries agree, {weakest.method}")
 
 
-def _weakness(proof: Proof) -> tuple[bool, bool]:
+def _weakness(proof: IdentityProof) -> tuple[bool, bool]:
     return proof.sampled, "simplifies" in proof.method
 
 
@@ -137,14 +137,14 @@ def _numerator(difference: sympy.Expr) -> sympy.Expr:
     return sympy.expand(sympy.fraction(sympy.together(difference))[0])
 
 
-def _expansion(difference: sympy.Expr) -> Proof | None:
+def _expansion(difference: sympy.Expr) -> IdentityProof | None:
     """Prove by expansion that a difference is zero; None if it is not, or is not found to be."""
     if difference == 0:
-        return Proof(True, "difference is zero when expanded")
+        return IdentityProof(True, "difference is zero when expanded")
     if difference.has(*_CIRCULAR) and expands_to_zero(difference):
-        return Proof(True, "difference is zero when expanded in exponentials")
+        return IdentityProof(True, "difference is zero when expanded in exponentials")
     if sympy.expand(difference) == 0 or _numerator(difference) == 0:
-        return Proof(True, "difference is zero when expanded")
+        return IdentityProof(True, "difference is zero when expanded")
     return None
 
 

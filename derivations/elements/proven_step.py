@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy
 
-from derivations.algebra.identity import Proof, require_equal
+from derivations.algebra.identity import IdentityProof, require_equal
 from derivations.algebra.unevaluated import total
 from derivations.elements.harmonics import antiderivative, evaluated, harmonic_integral
 from derivations.elements.waveform import THETA, Segment
@@ -39,7 +39,7 @@ class Equality:
     given: Substitutions = ()
     words: str = ""
 
-    def prove(self) -> Proof:
+    def prove(self) -> IdentityProof:
         """Prove that the closed form is what was derived, after all integrals are evaluated.
 
         Raises:

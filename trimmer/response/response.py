@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from trimmer.response.linear_motion import LinearMotion
     from trimmer.response.orbit import Orbit
     from trimmer.response.rest import Rest
-    from trimmer.response.window import Window
+    from trimmer.response.window import Watched
 
 
 class MotionKind(Choice):
@@ -72,7 +72,7 @@ class SettledMotion(Shown):
 
     kind: MotionKind
     orbit: Orbit | None
-    window: Window | None
+    window: Watched | None
     drive_periods: int
     neighbour_agrees: bool | None
     starts: int

@@ -12,7 +12,7 @@ from trimmer.mechanism.drives import RETURNS, told_of_drives
 from trimmer.response.growth import OLDER, grows
 from trimmer.response.pace import pace_of, period_word, periods_of
 from trimmer.response.response import MotionKind, SettledMotion
-from trimmer.response.window import Window, joined, watch
+from trimmer.response.window import Watched, joined, watch
 from trimmer.response.zero_one import growth_of_walk
 
 if TYPE_CHECKING:
@@ -106,7 +106,7 @@ class Seen:
     """
 
     flow: Flow
-    window: Window
+    window: Watched
     leaves: bool
 
     def grows(self, waited: int) -> bool:
@@ -158,7 +158,7 @@ class Seen:
         return all(growth_of_walk(series) < ORDERLY for series in states.T)
 
 
-def _neighbour_leaves(flow: Flow, window: Window) -> bool:
+def _neighbour_leaves(flow: Flow, window: Watched) -> bool:
     begin = window.begin
     direction = np.random.default_rng(SEED).normal(size=flow.size)
     step = NEIGHBOUR * window.sizes * direction / np.linalg.norm(direction)

@@ -42,7 +42,7 @@ SMALLEST = 1e-16
 
 
 @dataclass(frozen=True, eq=False)
-class Window:
+class Watched:
     """What was seen of a motion, in rows of some drive periods each.
 
     Attributes:
@@ -208,7 +208,7 @@ class Window:
         return frequencies, {name: density[:, place] for place, name in enumerate(outputs)}
 
 
-def watch(flow: Flow, instant: Instant, periods: int, unit: float = 0.0) -> Window | None:
+def watch(flow: Flow, instant: Instant, periods: int, unit: float = 0.0) -> Watched | None:
     """Follow a motion over a window of drive periods, rounded up to whole rows; None if it ends at once.
 
     Args:
@@ -221,7 +221,7 @@ def watch(flow: Flow, instant: Instant, periods: int, unit: float = 0.0) -> Wind
     return _Watch(followed, instant, pace_of(flow.subject), unit).over(periods)
 
 
-def joined(first: Window, second: Window) -> Window:
+def joined(first: Watched, second: Watched) -> Watched:
     """Return two windows, one after the other, as one."""
     series = ("growth", "means", "squares", "waves", "ranges", "accelerations", "events", "states", "samples")
     both: dict[str, Any] = {
@@ -250,7 +250,7 @@ class _Watch:
         self.distances = np.linalg.qr(flow.reduced(directions).T)[0]
         self.seen: list[tuple[Any, ...]] = []
 
-    def over(self, periods: int) -> Window | None:
+    def over(self, periods: int) -> Watched | None:
         begin, ending = self.instant, Ending.REACHED_END
         for row in range(-(-periods // self.together)):
             course = _row(self.flow, self.instant, self.together, self.unit)
@@ -265,7 +265,7 @@ class _Watch:
             return None
         *columns, states, samples = zip(*self.seen, strict=True)
         series = [*map(np.array, columns), np.concatenate(states), np.concatenate(samples)]
-        found = Window(self.flow, self.sizes, begin, self.instant, ending, *series)  # type: ignore[arg-type]
+        found = Watched(self.flow, self.sizes, begin, self.instant, ending, *series)  # type: ignore[arg-type]
         return replace(found, together=self.together, steps=self.steps, unit=self.unit)
 
     def _of(self, course: Course) -> tuple[Any, ...]:

@@ -8,7 +8,7 @@ from typing import Any, Final, Self, final
 
 import sympy
 
-from derivations.algebra.identity import Proof, prove_equal, prove_equal_matrices
+from derivations.algebra.identity import IdentityProof, prove_equal, prove_equal_matrices
 from derivations.latex import latex
 from report.judging.claim import Agreement
 from report.judging.shown import Mathematics
@@ -69,7 +69,7 @@ class SameMatrix(_TwoSides):
         return _outcome(prove_equal_matrices(self.printed, self.derived))
 
 
-def _outcome(proof: Proof) -> Agreement:
+def _outcome(proof: IdentityProof) -> Agreement:
     if proof.sampled:
         return Agreement(proof.holds, f"not proven: {proof.method}", Certainty.COMPUTED)
     return Agreement(proof.holds, PROVEN if proof.holds else _typeset(proof.method), Certainty.PROVEN)

@@ -11,7 +11,7 @@ from trimmer.arrays import Reals
 from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.loci.locus import Locus, LocusEnd, LocusRanges, LocusSettings
 from trimmer.branches.loci.relocation import Sought
-from trimmer.branches.loci.search import Point, Search, Track, first_point
+from trimmer.branches.loci.search import LocusPoint, Search, Track, first_point
 from trimmer.branches.loci.steps import followed
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.period_maps.fitting import is_symmetric, shortest_map
@@ -110,7 +110,7 @@ def _locus(search: Search, track: Track, reason: LocusEnd) -> Locus:
     )
 
 
-def _place(search: Search, numbers: Reals, point: Point) -> Place | None:
+def _place(search: Search, numbers: Reals, point: LocusPoint) -> Place | None:
     """Return the orbit of a point, from where nothing happens; None if it cannot be followed."""
     problem = Problem(search.map_at(1, float(numbers[1])), 1.0, point.sizes)
     place = problem.place(problem.position(float(numbers[0]), point.strobed))

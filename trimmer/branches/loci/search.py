@@ -18,7 +18,7 @@ PREDICTING = 3
 
 
 @dataclass(frozen=True, eq=False)
-class Point:
+class LocusPoint:
     """A point of a locus.
 
     Attributes:
@@ -72,16 +72,16 @@ class Search:
 class Track:
     """The points so far, what else was found where the last one was looked for, and where orbits begin."""
 
-    points: list[Point]
+    points: list[LocusPoint]
     others: list[SpecialPoint] = field(default_factory=list)
     share: float | None = None
 
 
-def first_point(search: Search, values: Reals, state: Reals) -> Point:
+def first_point(search: Search, values: Reals, state: Reals) -> LocusPoint:
     """Return the point to begin with, from values of both numbers and a state."""
     passage = search.map_at(1, float(values[1])).passage(float(values[0]), state)
     sizes = np.where(passage.sizes > 0.0, passage.sizes, 1.0)
-    return Point((values - search.lowest) / search.spans, state, sizes, state)
+    return LocusPoint((values - search.lowest) / search.spans, state, sizes, state)
 
 
 def restart(search: Search, track: Track) -> None:
@@ -102,7 +102,7 @@ def restart(search: Search, track: Track) -> None:
 
 def found_again(
     search: Search, track: Track, held: int, values: Reals, state: Reals, reach: float
-) -> Point | None:
+) -> LocusPoint | None:
     """Find the point again with one number held."""
     numbers = search.lowest + values * search.spans
     free = 1 - held
@@ -119,10 +119,10 @@ def found_again(
     located = values.copy()
     located[free] = (found.point.value - search.lowest[free]) / search.spans[free]
     (begin,) = map.phases(found.point.value, found.point.state)
-    return Point(located, begin, found.problem.sizes, found.point.state)
+    return LocusPoint(located, begin, found.problem.sizes, found.point.state)
 
 
-def apart(point: Point, values: Reals, state: Reals) -> float:
+def apart(point: LocusPoint, values: Reals, state: Reals) -> float:
     """Return the distance of a point from values and a state, in coordinates without units."""
     away = np.append(point.values - values, (point.state - state) / point.sizes)
     return float(np.linalg.norm(away))

@@ -14,7 +14,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.branches.loci.locus import LocusEnd, LocusSettings
-from trimmer.branches.loci.search import PREDICTING, Point, Search, Track, apart, found_again, restart
+from trimmer.branches.loci.search import PREDICTING, LocusPoint, Search, Track, apart, found_again, restart
 from trimmer.progress import progress_bar
 
 FIRST_STEP = 2e-3
@@ -62,18 +62,18 @@ def followed(search: Search, track: Track, sign: float, settings: LocusSettings)
     return LocusEnd.MOST_POINTS
 
 
-def _next_length(points: Sequence[Point], wanted: float, settings: LocusSettings) -> float:
+def _next_length(points: Sequence[LocusPoint], wanted: float, settings: LocusSettings) -> float:
     """Return a length at which the two numbers change no more than they may."""
     before, last = points[-2:]
     share = float(np.linalg.norm(last.values - before.values)) / apart(before, last.values, last.state)
     return min(wanted, LARGEST_MOVE, settings.largest_step / max(share, 1e-300))
 
 
-def _at_border(point: Point) -> bool:
+def _at_border(point: LocusPoint) -> bool:
     return bool((abs(point.values - 0.5) >= 0.5 - 1e-12).any())
 
 
-def _step(search: Search, track: Track, sign: float, length: float) -> tuple[Point, float] | None:
+def _step(search: Search, track: Track, sign: float, length: float) -> tuple[LocusPoint, float] | None:
     """Return the next point and the error of its prediction relative to the step; None if none was found."""
     if len(track.points) == 1:
         return _second_point(search, track, sign, length)
@@ -98,7 +98,9 @@ def _step(search: Search, track: Track, sign: float, length: float) -> tuple[Poi
     return None
 
 
-def _second_point(search: Search, track: Track, sign: float, length: float) -> tuple[Point, float] | None:
+def _second_point(
+    search: Search, track: Track, sign: float, length: float
+) -> tuple[LocusPoint, float] | None:
     (start,) = track.points
     values = np.clip(start.values + np.array([0.0, sign * length]), 0.0, 1.0)
     for reach in FIRST_REACHES:
@@ -108,7 +110,7 @@ def _second_point(search: Search, track: Track, sign: float, length: float) -> t
     return None
 
 
-def _predicted(points: Sequence[Point], length: float) -> tuple[Reals, Reals]:
+def _predicted(points: Sequence[LocusPoint], length: float) -> tuple[Reals, Reals]:
     """Return values, (2,), and state, (n,), farther on by a length, on the curve through the last points."""
     last = points[-PREDICTING:]
     rows = [np.append(point.values, point.state) for point in last]
@@ -128,7 +130,7 @@ def _rooms(values: Reals, ahead: Reals) -> Reals:
     return np.asarray(room / np.maximum(abs(ahead), 1e-300))
 
 
-def _closed(points: Sequence[Point]) -> bool:
+def _closed(points: Sequence[LocusPoint]) -> bool:
     """Say whether the last step passes the first point."""
     if len(points) < 4:
         return False

@@ -7,7 +7,7 @@ from trimmer.motion.flow import Flow
 from trimmer.response.by_itself.returns import Returns
 from trimmer.response.by_itself.self_excited import STRETCHES, SelfExcited
 from trimmer.response.response import MotionKind, SettledMotion
-from trimmer.response.window import Window, watch
+from trimmer.response.window import Watched, watch
 
 RETURNS = 512
 """Returns over which it is watched, or all of the last stretch that was followed if it has fewer."""
@@ -32,12 +32,12 @@ def unrepeated(flow: Flow, found: SelfExcited, most_periods: int | None) -> Sett
     return SettledMotion(kind, None, window, 0, None, 1, 1.0, False, told)
 
 
-def _watched(flow: Flow, returns: Returns) -> Window | None:
+def _watched(flow: Flow, returns: Returns) -> Watched | None:
     window = watch(flow, returns.course.begin, RETURNS, returns.seen(RETURNS) / RETURNS)
     return window if window is not None and window.ending is Ending.REACHED_END else None
 
 
-def _told(found: SelfExcited, window: Window | None) -> str:
+def _told(found: SelfExcited, window: Watched | None) -> str:
     assert found.returns is not None and found.returns.exponent is not None
     largest = found.returns.exponent if window is None else window.exponents[0]
     return (
