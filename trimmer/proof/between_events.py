@@ -8,7 +8,7 @@ import math
 from flint import arb, arb_mat, arb_poly
 
 from trimmer.proof.balls import hull
-from trimmer.proof.following import BY_LAW, Followed, Motion, Segment, moduli, norm
+from trimmer.proof.following import BY_LAW, BallMotion, Followed, Segment, moduli, norm
 from trimmer.proof.outcome import RefutedError, UndecidedError, require_time
 
 TERMS = 18
@@ -18,7 +18,7 @@ REACHED, LEAST = 4.0, 1e-5
 """How often the largest modulus of a state a size may be; share of all sizes below which it may be any."""
 
 
-def require_no_other_events(motion: Motion, over: Followed) -> None:
+def require_no_other_events(motion: BallMotion, over: Followed) -> None:
     """Enclose all event functions over each segment; hold the sizes of the file against the states there."""
     largest = [arb(0)] * motion.n
     for number in range(len(motion.segments)):
@@ -30,7 +30,7 @@ def require_no_other_events(motion: Motion, over: Followed) -> None:
             raise RefutedError(f"the size {sizes[i]!r} of state {i} is none that the motion reaches")
 
 
-def _require_positive_between(motion: Motion, number: int, over: Followed) -> list[arb_mat]:
+def _require_positive_between(motion: BallMotion, number: int, over: Followed) -> list[arb_mat]:
     """Enclose all event functions over a segment; return Z at some instants of it."""
     segment, end = motion.segments[number], over.ends[number]
     duration = segment.duration + over.lates[number]
@@ -57,7 +57,7 @@ def _require_positive_between(motion: Motion, number: int, over: Followed) -> li
     return passed
 
 
-def _scales(motion: Motion, segment: Segment) -> tuple[list[arb], arb]:
+def _scales(motion: BallMotion, segment: Segment) -> tuple[list[arb], arb]:
     """Choose scales of Z in which M has a small norm, and return it; they are no smaller than the sizes."""
     n, size = motion.n, len(motion.sizes)
     flow = [[float(abs(segment.flow[i, k]).upper()) for k in range(n)] for i in range(n)]
@@ -97,7 +97,7 @@ def _require_demands(segment: Segment, end: arb_mat, where: str) -> None:
 
 
 def _require_positive(
-    motion: Motion,
+    motion: BallMotion,
     number: int,
     scaled: tuple[list[arb], arb],
     begun: tuple[arb_mat, arb],
@@ -125,7 +125,9 @@ def _require_positive(
         _require_above(arb_poly(terms), errors[function, 0], called)
 
 
-def _require_zeros(motion: Motion, row: arb_mat, flow: arb_mat, z: arb_mat, zeros: int, called: str) -> None:
+def _require_zeros(
+    motion: BallMotion, row: arb_mat, flow: arb_mat, z: arb_mat, zeros: int, called: str
+) -> None:
     """Hold what the law of an event makes zero against the sizes of its terms."""
     sizes = arb_mat([[each] for each in motion.sizes])
     for _ in range(zeros):

@@ -20,7 +20,7 @@ from flint import arb, arb_mat, ctx, fmpq
 
 from trimmer.proof.balls import about, exact, real
 from trimmer.proof.outcome import UndecidedError, require_time
-from trimmer.proof.statement import Course, Equations, Row, SpecialPoint
+from trimmer.proof.statement import Course, Equations, Row, StatedSpecialPoint
 
 MOST_TERMS = 36
 """Of Taylor's polynomials over what an event is later than computed."""
@@ -127,7 +127,7 @@ class Tables:
         )
 
 
-class Motion:
+class BallMotion:
     """The statement's data in balls.
 
     Args:
@@ -135,7 +135,7 @@ class Motion:
         equations: Of the system; or the statement with two of them, between which they are a straight line.
     """
 
-    def __init__(self, course: Course, equations: Equations | SpecialPoint) -> None:
+    def __init__(self, course: Course, equations: Equations | StatedSpecialPoint) -> None:
         self.course, self.slopes, self.unit = course, None, arb(1)
         sides = (
             [equations] if isinstance(equations, Equations) else [each.equations for each in equations.beside]
@@ -156,7 +156,7 @@ class Motion:
             for along, leader in course.shifts
         ]
         self.tables = self._tables(sides[0])
-        if isinstance(equations, SpecialPoint):
+        if isinstance(equations, StatedSpecialPoint):
             first, last = (exact(each.value) for each in equations.beside)
             change = self._tables(sides[1]).combined(fmpq(-1), self.tables)
             self.unit = arb(2) ** math.frexp(equations.value)[1]
@@ -177,7 +177,7 @@ class Motion:
         """The period as computed, s."""
         return sum((each.duration for each in self.segments), arb(0))
 
-    def at(self, off: arb) -> Motion:
+    def at(self, off: arb) -> BallMotion:
         """Return the motion at a value that is so much larger, in units of it."""
         assert self.slopes is not None
         found = copy.copy(self)

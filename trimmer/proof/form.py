@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from flint import arb, arb_mat
 
-from trimmer.proof.following import BY_LAW, Followed, Motion, identity, moduli
+from trimmer.proof.following import BY_LAW, BallMotion, Followed, identity, moduli
 from trimmer.proof.outcome import RefutedError, UndecidedError
 from trimmer.proof.statement import Course
 
@@ -15,7 +15,7 @@ TOGETHER = 1e-9
 """Share of a sample within which what a clock does is at one instant."""
 
 
-def require_form(motion: Motion) -> None:
+def require_form(motion: BallMotion) -> None:
     """Hold how a motion is told against what a motion that returns is, before it is followed."""
     course, segments = motion.course, motion.segments
     first, last = course.segments[0], course.segments[-1]
@@ -42,7 +42,7 @@ def require_form(motion: Motion) -> None:
     _require_shifts(motion)
 
 
-def require_rest_at_start(motion: Motion, start: list[arb]) -> None:
+def require_rest_at_start(motion: BallMotion, start: list[arb]) -> None:
     """Hold it against the equations that nothing happens to the states where the motion begins."""
     z = arb_mat([[each] for each in start[: motion.n]] + motion.tables.forcing.tolist())
     jumps = ((motion.segments[0].reset - identity(motion.count)) * z).entries()
@@ -50,7 +50,7 @@ def require_rest_at_start(motion: Motion, start: list[arb]) -> None:
         raise RefutedError("the states jump where the motion begins, without an event")
 
 
-def require_shortest(motion: Motion, over: Followed) -> None:
+def require_shortest(motion: BallMotion, over: Followed) -> None:
     """Hold it against the motion that it is not a shorter one several times over."""
     told, count = motion.course.segments[:-1], len(over.ends) - 1
     rates = [segment.flow * end for segment, end in zip(motion.segments, over.ends, strict=True)]
@@ -79,12 +79,12 @@ def _squares(orders: tuple[tuple[int, ...], ...]) -> list[int] | None:
     return [table[i][i] for i in size] if holds else None
 
 
-def _leaves_forcing(motion: Motion, reset: arb_mat) -> bool:
+def _leaves_forcing(motion: BallMotion, reset: arb_mat) -> bool:
     rows = range(motion.n, motion.count)
     return all(reset[i, k] == int(i == k) for i in rows for k in range(reset.ncols()))
 
 
-def _ends_as_it_begins(motion: Motion, signs: list[int]) -> bool:
+def _ends_as_it_begins(motion: BallMotion, signs: list[int]) -> bool:
     """Return whether the last mode is the first one, or its mirror image."""
     first, last = motion.segments[0], motion.segments[-1]
     if not motion.course.signs:
@@ -110,7 +110,7 @@ def _size(value: arb) -> float:
     return float(abs(value).upper())
 
 
-def _require_clock(course: Course, motion: Motion) -> None:
+def _require_clock(course: Course, motion: BallMotion) -> None:
     """Hold the times at which a clock ends segments against its samples and delays."""
     told = [each.at for each in course.segments if each.at is not None]
     if not course.clock and not told:
@@ -133,7 +133,7 @@ def _require_clock(course: Course, motion: Motion) -> None:
         raise RefutedError("the instants of the clock are not those of its samples")
 
 
-def _require_shifts(motion: Motion) -> None:
+def _require_shifts(motion: BallMotion) -> None:
     """Hold it against the equations that nothing changes along the shifts, but for rounding."""
     for along, _ in motion.shifts:
         way = arb_mat([[each] for each in along] + [[arb(0)] for _ in range(motion.count - motion.n)])

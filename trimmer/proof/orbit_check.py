@@ -9,7 +9,7 @@ from __future__ import annotations
 from flint import arb, ctx
 
 from trimmer.proof.between_events import require_no_other_events
-from trimmer.proof.following import BY_LAW, RADIUS, Motion
+from trimmer.proof.following import BY_LAW, RADIUS, BallMotion
 from trimmer.proof.form import require_form, require_rest_at_start, require_shortest
 from trimmer.proof.outcome import RefutedError, UndecidedError
 from trimmer.proof.returning import first_guess, first_step, multipliers_of, scales, solve
@@ -32,11 +32,11 @@ def check_orbit(data: Orbit) -> str:
             return _checked(data, bits, radius)
         except UndecidedError:
             with ctx.workprec(bits):
-                _require_alone(Motion(data.motion, data.equations))
+                _require_alone(BallMotion(data.motion, data.equations))
     return _checked(data, *last)
 
 
-def _require_alone(motion: Motion) -> None:
+def _require_alone(motion: BallMotion) -> None:
     """Tell a family: what stays where it is put, although Newton's step from there is long."""
     guess = first_guess(motion)
     back, step, sizes = motion.follow(guess).back, first_step(motion), scales(motion)
@@ -48,7 +48,7 @@ def _require_alone(motion: Motion) -> None:
 
 def _checked(data: Orbit, bits: int, radius: int) -> str:
     with ctx.workprec(bits):
-        motion = Motion(data.motion, data.equations)
+        motion = BallMotion(data.motion, data.equations)
         require_form(motion)
         found = solve(motion, radius=radius)
         try:
@@ -67,7 +67,7 @@ def _checked(data: Orbit, bits: int, radius: int) -> str:
         return _theorem(motion, data, stable, largest, radius)
 
 
-def require_near(motion: Motion, unknown: list[arb], near: float) -> None:
+def require_near(motion: BallMotion, unknown: list[arb], near: float) -> None:
     """Hold what returns against what was computed."""
     for i, given in enumerate(motion.start):
         if not abs(unknown[i] - given) < near * motion.sizes[i]:
@@ -82,7 +82,7 @@ def unchecked(about: str) -> str:
     return f"(of {about!r}, as it says unchecked)"
 
 
-def taken_as_zero(motion: Motion) -> str:
+def taken_as_zero(motion: BallMotion) -> str:
     """Say which zeros the law of an event gives, if there are any."""
     segments = motion.course.segments
     count = sum(len(each.zeros) + len(each.together) for each in segments)
@@ -94,7 +94,7 @@ def taken_as_zero(motion: Motion) -> str:
     )
 
 
-def _theorem(motion: Motion, data: Orbit, stable: bool | None, largest: str, radius: int) -> str:
+def _theorem(motion: BallMotion, data: Orbit, stable: bool | None, largest: str, radius: int) -> str:
     """Say what is proven."""
     course, events = motion.course, len(motion.segments) - 1
     if motion.autonomous:

@@ -39,7 +39,7 @@ class Gain:
     inverse: arb
 
 
-class Element:
+class ElementGain:
     """N over flight and omega."""
 
     def __init__(self, parts: Parts) -> None:
@@ -195,7 +195,7 @@ class Plane:
 
     def __init__(self, num: fmpq_poly, den: fmpq_poly, parts: Parts) -> None:
         """Take den + N num, the linear part of the element already in den."""
-        self.num, self.den, self.element = num, den, Element(parts)
+        self.num, self.den, self.element = num, den, ElementGain(parts)
         self.sides = in_balls(along_axis(num)), in_balls(along_axis(den))
         self.order = den.degree()
         self.found: list[tuple[Box, Solved]] = []

@@ -14,7 +14,7 @@ from trimmer.files import read_content, write_atomically
 from trimmer.json_data import DataError, parsed_json, typed
 from trimmer.messages import shown_value
 from trimmer.proof.outcome import LIMIT, OutOfTimeError, UnprovenError, Verdict, time_limit
-from trimmer.proof.statement import LimitCycles, Orbit, SpecialPoint
+from trimmer.proof.statement import LimitCycles, Orbit, StatedSpecialPoint
 
 _FORMAT = 1
 
@@ -141,7 +141,7 @@ def _digest(data: dict[str, Any]) -> str:
     return sha256(json.dumps(data, sort_keys=True, allow_nan=False).encode()).hexdigest()
 
 
-_STATEMENTS = {"limit cycles": LimitCycles, "orbit": Orbit, "special point": SpecialPoint}
+_STATEMENTS = {"limit cycles": LimitCycles, "orbit": Orbit, "special point": StatedSpecialPoint}
 
 
 def _checks() -> dict[str, Callable[[Any], str]]:

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from flint import acb, acb_mat, arb, arb_mat
 
 from trimmer.proof.balls import about
-from trimmer.proof.following import RADIUS, Followed, Motion, identity
+from trimmer.proof.following import RADIUS, BallMotion, Followed, identity
 from trimmer.proof.outcome import UndecidedError
 
 MOST_ITERATIONS = 30
@@ -55,13 +55,13 @@ class Returned:
     over: Followed
 
 
-def first_guess(motion: Motion) -> list[arb]:
+def first_guess(motion: BallMotion) -> list[arb]:
     """Return the unknowns as computed."""
     start = [arb(each.mid()) for each in motion.start]
     return start + [arb(0)] * (motion.unknowns - motion.n)
 
 
-def scales(motion: Motion) -> list[arb]:
+def scales(motion: BallMotion) -> list[arb]:
     """Return the size of each unknown."""
     found = list(motion.sizes[: motion.n])
     if motion.autonomous:
@@ -77,7 +77,7 @@ def scales(motion: Motion) -> list[arb]:
 
 
 def solve(
-    motion: Motion, plane: Plane | None = None, guess: list[arb] | None = None, radius: int = RADIUS
+    motion: BallMotion, plane: Plane | None = None, guess: list[arb] | None = None, radius: int = RADIUS
 ) -> Returned:
     """Find what returns, alone in a ball.
 
@@ -102,7 +102,7 @@ def solve(
 
 
 def newton(
-    motion: Motion, plane: Plane | None = None, guess: list[arb] | None = None, radius: int = RADIUS
+    motion: BallMotion, plane: Plane | None = None, guess: list[arb] | None = None, radius: int = RADIUS
 ) -> list[arb]:
     """Find about what returns, by Newton's method, to less than the radius of a ball."""
     middle = guess or first_guess(motion)
@@ -119,7 +119,7 @@ def newton(
     return middle
 
 
-def first_step(motion: Motion) -> list[arb]:
+def first_step(motion: BallMotion) -> list[arb]:
     """Return Newton's step from what was computed."""
     guess = first_guess(motion)
     followed = motion.follow(guess, True)
@@ -127,7 +127,7 @@ def first_step(motion: Motion) -> list[arb]:
     return [arb(each) for each in step.entries()]
 
 
-def derivative_of(motion: Motion, followed: Followed, plane: Plane | None = None) -> arb_mat:
+def derivative_of(motion: BallMotion, followed: Followed, plane: Plane | None = None) -> arb_mat:
     """Return the derivative of what is to vanish."""
     table = [[each - int(i == k) for k, each in enumerate(row)] for i, row in enumerate(followed.change)]
     rest = [arb(0)] * (motion.unknowns - motion.n)
@@ -137,13 +137,13 @@ def derivative_of(motion: Motion, followed: Followed, plane: Plane | None = None
     return arb_mat(table)
 
 
-def _fixed(motion: Motion) -> list[list[arb]]:
+def _fixed(motion: BallMotion) -> list[list[arb]]:
     """Return functionals of the start that stay as they are, since it may be shifted in time or in place."""
     return [*([motion.phase] if motion.autonomous else []), *(leader for _, leader in motion.shifts)]
 
 
 def _step(
-    motion: Motion, followed: Followed, middle: list[arb], plane: Plane | None, inverse: arb_mat
+    motion: BallMotion, followed: Followed, middle: list[arb], plane: Plane | None, inverse: arb_mat
 ) -> arb_mat:
     """Return Newton's step."""
     gaps = [m - back for m, back in zip(middle, followed.back, strict=False)]
@@ -163,13 +163,13 @@ def inverse_of(derivative: arb_mat) -> arb_mat:
         raise UndecidedError("1 is a multiplier, as near as balls tell") from None
 
 
-def in_sizes(motion: Motion, over: Followed) -> arb_mat:
+def in_sizes(motion: BallMotion, over: Followed) -> arb_mat:
     """Return the derivative of the end by the start, as shares of the sizes."""
     sizes, n = motion.sizes, range(motion.n)
     return arb_mat([[over.change[i][k] * sizes[k] / sizes[i] for k in n] for i in n])
 
 
-def multipliers_of(motion: Motion, over: Followed) -> tuple[bool | None, str]:
+def multipliers_of(motion: BallMotion, over: Followed) -> tuple[bool | None, str]:
     """Enclose the largest modulus of the multipliers; return whether it is stable, and that in words."""
     sizes, n, scaled = motion.sizes, motion.n, in_sizes(motion, over)
     fixed = _fixed(motion)

@@ -16,7 +16,7 @@ from flint import arb, arb_mat, ctx
 
 from trimmer.proof.balls import about, exact, real
 from trimmer.proof.between_events import require_no_other_events
-from trimmer.proof.following import Followed, Motion, identity
+from trimmer.proof.following import BallMotion, Followed, identity
 from trimmer.proof.form import require_form, require_rest_at_start, require_shortest
 from trimmer.proof.orbit_check import require_near, taken_as_zero, unchecked
 from trimmer.proof.outcome import RefutedError, UndecidedError
@@ -30,7 +30,7 @@ from trimmer.proof.returning import (
     scales,
     solve,
 )
-from trimmer.proof.statement import SpecialPoint
+from trimmer.proof.statement import StatedSpecialPoint
 
 PRECISION = 768
 """Bits."""
@@ -47,7 +47,7 @@ TOLD = 1e-9
 """Precision, relative, with which the value is told."""
 
 
-def check_special_point(data: SpecialPoint) -> str:
+def check_special_point(data: StatedSpecialPoint) -> str:
     """Hold a special point against the branch around it; return the theorem."""
     kind = data.kind
     if kind not in ("fold", "period-doubling", "symmetry-breaking"):
@@ -55,7 +55,7 @@ def check_special_point(data: SpecialPoint) -> str:
     if (kind == "symmetry-breaking") != bool(data.motion.signs):
         raise UndecidedError(f"a {kind} of other than half a motion is not covered")
     with ctx.workprec(PRECISION):
-        return _checked(Motion(data.motion, data), data)
+        return _checked(BallMotion(data.motion, data), data)
 
 
 @dataclass
@@ -68,9 +68,9 @@ class Branch:
         test: What changes its sign, of a motion and its derivative on a plane.
     """
 
-    motion: Motion
+    motion: BallMotion
     plane: Plane
-    test: Callable[[Motion, Followed, Plane], arb]
+    test: Callable[[BallMotion, Followed, Plane], arb]
 
     def at(self, height: arb) -> Plane:
         """Return the plane, or all planes, of a height."""
@@ -108,7 +108,7 @@ def _secant(before: tuple[arb, arb], last: tuple[arb, arb]) -> arb | None:
     return None if change.contains(0) else arb((last[0] - last[1] * (last[0] - before[0]) / change).mid())
 
 
-def _checked(motion: Motion, data: SpecialPoint) -> str:
+def _checked(motion: BallMotion, data: StatedSpecialPoint) -> str:
     require_form(motion)
     branch = Branch(
         motion, _plane(motion, data.kind == "fold"), _turning if data.kind == "fold" else _crossing
@@ -133,7 +133,7 @@ def _checked(motion: Motion, data: SpecialPoint) -> str:
     return _theorem(motion, data, told)
 
 
-def _plane(motion: Motion, is_fold: bool) -> Plane:
+def _plane(motion: BallMotion, is_fold: bool) -> Plane:
     """Return the plane through the computed orbit: of one value, or at a fold across the branch."""
     place, count = first_guess(motion), motion.unknowns
     if not is_fold:
@@ -146,7 +146,7 @@ def _plane(motion: Motion, is_fold: bool) -> Plane:
     return Plane(place, weights, arb(0))
 
 
-def _along(motion: Motion, over: Followed, plane: Plane) -> arb_mat:
+def _along(motion: BallMotion, over: Followed, plane: Plane) -> arb_mat:
     """Return the derivative of the unknowns by the height of the plane."""
     derivative = derivative_of(motion, over, plane)
     size = derivative.nrows()
@@ -156,16 +156,16 @@ def _along(motion: Motion, over: Followed, plane: Plane) -> arb_mat:
         raise UndecidedError("the branch has no tangent, as near as balls tell") from None
 
 
-def _turning(motion: Motion, over: Followed, plane: Plane) -> arb:
+def _turning(motion: BallMotion, over: Followed, plane: Plane) -> arb:
     return _along(motion, over, plane)[motion.unknowns - 1, 0]
 
 
-def _crossing(motion: Motion, over: Followed, plane: Plane) -> arb:
+def _crossing(motion: BallMotion, over: Followed, plane: Plane) -> arb:
     """Return det(D + 1): of half of a motion that is its mirror image, D squared is that of the whole."""
     return (in_sizes(motion, over) + identity(motion.n)).det()
 
 
-def _theorem(motion: Motion, data: SpecialPoint, told: str) -> str:
+def _theorem(motion: BallMotion, data: StatedSpecialPoint, told: str) -> str:
     kind, (first, second) = data.kind, (each.value for each in data.beside)
     motions, modes = "periodic motions", "modes"
     if kind == "symmetry-breaking":

@@ -73,7 +73,7 @@ class LimitCycles:
 
 
 @dataclass(frozen=True)
-class Mode:
+class Rates:
     """What holds between events: rates of the states, and event functions, by Z."""
 
     flow: Table
@@ -84,7 +84,7 @@ class Mode:
 class Equations:
     """The numbers of a system: modes, what becomes of Z before each segment, the forcing at the start, s."""
 
-    modes: tuple[Mode, ...]
+    modes: tuple[Rates, ...]
     resets: tuple[Table, ...]
     forcing: Row
     period: float | None
@@ -198,7 +198,7 @@ class Neighbour:
 
 
 @dataclass(frozen=True)
-class SpecialPoint:
+class StatedSpecialPoint:
     """That the systems on a straight line through two have a special point, near a value."""
 
     kind: str
