@@ -232,10 +232,7 @@ def joined(first: Watched, second: Watched) -> Watched:
 
 def _row(flow: Flow, instant: Instant, together: int, unit: float) -> Course:
     """Return the motion over some periods, or over as many units without a drive."""
-    if flow.period:
-        return flow.course(instant, together)
-    course = flow.timed(instant, together * unit)
-    return replace(course, end=replace(course.end, phase=0.0))
+    return flow.course(instant, together) if flow.period else flow.timed(instant, together * unit)
 
 
 class _Watch:
