@@ -57,7 +57,7 @@ def hunting_words(motion: FoundMotion) -> str:
 def _hunts(step: FoundStep) -> str:
     if not step.hunting:
         return "comes to rest"
-    size = shown(step.hunting, step.signals.units[step.output] if step.signals else "")
+    size = shown(step.hunting, step.signals.units[step.output])
     if step.period is None:
         return f"hunts by ±{size} without repeating"
     return f"hunts by ±{size}, once in {shown(step.period, 's', 4)}"
@@ -97,16 +97,15 @@ def step_figures(design: Design) -> Iterator[Figure]:
     """Draw how each controller follows its step."""
     motion = design.motion
     for number, (name, each) in enumerate(motion.steps.items() if motion else (), start=1):
-        if each.signals is not None:
-            end = "some periods of the hunting" if each.hunting else "the way to rest"
-            yield drawn(
-                f"step-{number}",
-                f"How {each.output} follows {each.reference}",
-                f"Above reference and output, below what the controller {name} acts with, after its limit; "
-                f"at the bottom when parts touch and stick. It shows {end}.",
-                f"Curves of reference, output and control over time; the output {_hunts(each)}.",
-                partial(motion_over_time, each.signals),
-            )
+        end = "some periods of the hunting" if each.hunting else "the way to rest"
+        yield drawn(
+            f"step-{number}",
+            f"How {each.output} follows {each.reference}",
+            f"Above reference and output, below what the controller {name} acts with, after its limit; "
+            f"at the bottom when parts touch and stick. It shows {end}.",
+            f"Curves of reference, output and control over time; the output {_hunts(each)}.",
+            partial(motion_over_time, each.signals),
+        )
 
 
 def hunting_figure(each: DesignMap, number: int) -> Figure:

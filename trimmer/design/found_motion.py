@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 
 import numpy as np
 
@@ -118,11 +117,6 @@ class FoundMotion:
         largest = max((abs(each.advance) + each.peak_to_peak for each in moving.values()), default=0.0)
         found = {name: each.advance for name, each in moving.items()}
         return {name: each for name, each in found.items() if abs(each) > ROUNDING * largest}
-
-    @cached_property
-    def impact_speed(self) -> float:
-        """The largest speed at which any contact is made, m/s."""
-        return max((each.impact_speed for each in self.contacts.values()), default=0.0)
 
     def measure(self, measure: Measure, part: str) -> float:
         """Return a measure, SI unit; infinite for the period of what does not repeat."""

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -36,7 +37,7 @@ class FoundStep:
         hunting: Amplitude of what the output does at last, in its unit; 0 at rest.
         period: Of the hunting, s; None where nothing repeats, or all rests.
         ends: Where the motion ends, in words.
-        signals: Reference, output and control over time; None of a trial.
+        signals: Reference, output and control over time.
     """
 
     reference: str
@@ -44,18 +45,22 @@ class FoundStep:
     step: Step
     measures: StepMeasures
     hunting: float
-    period: float | None = None
-    ends: str = ""
-    signals: MotionSignals | None = None
+    period: float | None
+    ends: str
+    signals: MotionSignals
 
     def value(self, measure: Measure) -> float:
         """Return a measure, SI unit; infinite for a time that does not come."""
-        if measure is Measure.HUNTING:
-            return self.hunting
-        found = getattr(self.measures, measure.key)
-        if measure is Measure.FINAL_ERROR and abs(found) <= ROUNDING * abs(self.step.size):
-            return 0.0
-        return float("inf") if found is None else abs(float(found))
+        return _value(self.step, self.measures, self.hunting, measure)
+
+
+def _value(step: Step, measures: StepMeasures, hunting: float, measure: Measure) -> float:
+    if measure is Measure.HUNTING:
+        return hunting
+    found = getattr(measures, measure.key)
+    if measure is Measure.FINAL_ERROR and abs(found) <= ROUNDING * abs(step.size):
+        return 0.0
+    return float("inf") if found is None else abs(float(found))
 
 
 def step_responses(mechanism: Mechanism, settles_to: Response) -> Mapping[str, StepResponse]:
@@ -92,7 +97,7 @@ def _signals(response: StepResponse) -> MotionSignals:
     return replace(
         whole,
         outputs={
-            response.reference: np.where(whole.times >= step.at, step.size, 0.0),
+            response.reference: step.reference(whole.times),
             response.output: whole.outputs[response.output],
         },
         forces={response.controller: control},
@@ -101,12 +106,15 @@ def _signals(response: StepResponse) -> MotionSignals:
     )
 
 
-def steps_tried(mechanism: Mechanism, names: Iterable[str]) -> tuple[MotionKind, Mapping[str, FoundStep]]:
-    """Return how controllers follow their steps, and whether all rests, hunts evenly, or neither.
+def steps_tried(
+    mechanism: Mechanism, names: Iterable[str]
+) -> tuple[MotionKind, Mapping[str, Callable[[Measure], float]]]:
+    """Return whether all rests, hunts evenly, or neither, and of each controller what gives its measures.
 
     It is periodic here if two stretches of it, one after the other, swing by as much.
     """
-    flow, found, ends = MechanismFlow(mechanism), {}, list[StepEnd]()
+    flow, ends = MechanismFlow(mechanism), list[StepEnd]()
+    found: dict[str, Callable[[Measure], float]] = {}
     for name in names:
         controller = mechanism.controllers[name]
         reference = mechanism.references[controller.reference or ""]
@@ -123,7 +131,7 @@ def steps_tried(mechanism: Mechanism, names: Iterable[str]) -> tuple[MotionKind,
             control=control_signal(flow.modes, name),
             largest_demand=largest_demand(end.course, name),
         )
-        found[name] = FoundStep(controller.reference or "", controller.measure, step, measures, end.amplitude)
+        found[name] = partial(_value, step, measures, end.amplitude)
         ends.append(end)
     rests, even = all(each.rests for each in ends), all(each.settled for each in ends)
     kind = MotionKind.REST if rests else MotionKind.PERIODIC if even else MotionKind.UNDECIDED

@@ -146,7 +146,7 @@ class TrialWork:
     def _stepped(self, values: tuple[float, ...], mechanism: Mechanism) -> Trial:
         """Return how controllers follow their steps; periodic is here what hunts evenly."""
         kind, found = steps_tried(mechanism, dict.fromkeys(each.part for each in self.asked))
-        every = tuple((each, found[each.part].value(each.measure)) for each in self.asked)
+        every = tuple((each, found[each.part](each.measure)) for each in self.asked)
         return Trial(values, kind, None, every)
 
     def _by_itself(self, values: tuple[float, ...], flow: Flow) -> Trial:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.hybrid.nodes import sample
 from trimmer.hybrid.work import Log
 from trimmer.linear.extrema import polished_root
@@ -34,6 +35,10 @@ class Step:
 
     size: float
     at: float = 0.0
+
+    def reference(self, times: Reals) -> Reals:
+        """Return the reference at times, s."""
+        return np.where(times >= self.at, self.size, 0.0)
 
 
 @dataclass(frozen=True)

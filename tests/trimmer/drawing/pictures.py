@@ -30,6 +30,7 @@ from trimmer.drawing.locus import balance_figure
 from trimmer.drawing.mechanisms.branch import branch_figure
 from trimmer.drawing.mechanisms.response import motion_figure, response_figure
 from trimmer.drawing.mechanisms.scatter import sample_figure
+from trimmer.drawing.mechanisms.step import step_figure
 from trimmer.drawing.signals.comparison import comparison_figure
 from trimmer.drawing.signals.fit import fit_figure
 from trimmer.uncertainty import Samples, SampleSettings
@@ -164,6 +165,12 @@ def two_masses() -> trimmer.Response:
 
 
 @cache
+def stepped() -> trimmer.response.StepResponse:
+    servo = trimmer.Mechanism.from_toml("examples/two-mass-servo.toml")
+    return trimmer.response.step_response(servo, next(iter(servo.references)))
+
+
+@cache
 def samples() -> Samples:
     file = sample_file_of_text(SAMPLED, "stop.toml")
     settings = SampleSettings(count=12, most_periods=60)
@@ -234,6 +241,7 @@ FIGURES: dict[str, Callable[[], Figure]] = {
     "respond, two motions": lambda: response_figure(trimmer.respond(impact_oscillator(), starts=12)),
     "respond, two outputs": lambda: response_figure(two_masses()),
     "follow": lambda: branch_figure(doubled()),
+    "step": lambda: step_figure(stepped()),
     "sample": lambda: sample_figure(samples()),
     "overlay": lambda: comparison_figure(results.comparison()),
     "fit": lambda: fit_figure(results.fit()),

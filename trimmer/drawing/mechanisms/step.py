@@ -26,7 +26,7 @@ def step_figure(response: StepResponse) -> Figure:
     times = times[times <= until]
     states, rows = course.states(times), np.searchsorted(course.log.start, times, side="right") - 1
     output, control = flow.outputs[response.output].signal, control_signal(flow.modes, response.controller)
-    wanted = np.where(times >= step.at, step.size, 0.0)
+    wanted = step.reference(times)
     above.plot(times, wanted, drawstyle="steps-post", label=response.reference, linewidth=1.0, **line(0))
     for axes, name, signal, number in (
         (above, response.output, output, 1),
