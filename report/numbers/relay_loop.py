@@ -126,9 +126,9 @@ def _run(system: control.StateSpace, impulse: float) -> RelayRun:
     times = motion.log.start[1:]
     swings = np.abs(motion.output(times[:-1, None] + np.diff(times)[:, None] * _SHARES)).max(axis=1)
     last = slice(2 * times.size // 3, None)
-    middles, frequencies = (times[:-1] + times[1:]) / 2, 0.5 / np.diff(times)
-    growth = np.polyfit(middles[last], np.log(frequencies[last]), 1)[0]
-    return RelayRun(impulse, times, np.asarray(swings), float(growth))
+    middles, lengths = (times[:-1] + times[1:]) / 2, np.diff(times)
+    decay = np.polyfit(middles[last], np.log(lengths[last]), 1)[0]
+    return RelayRun(impulse, times, np.asarray(swings), -float(decay))
 
 
 def friction_motion(system: control.StateSpace, impulse: float) -> LoopMotion:

@@ -183,8 +183,9 @@ def _mirrored() -> tuple[float, float]:
     orbit = followed(mechanism)
     first, later = orbit.course.states(np.array([0.0, orbit.flow.period / 2]))[:, : orbit.flow.size]
     image = forced_orbit(mechanism, guess=-later)
-    miss = abs(image.instant.state + later) / abs(later)
-    return float(miss.max()), float(abs(image.instant.state - first)[: len(mechanism.bodies)].max())
+    miss = np.linalg.norm(image.instant.state / later + 1.0, np.inf)
+    apart = np.linalg.norm((image.instant.state - first)[: len(mechanism.bodies)], np.inf)
+    return float(miss), float(apart)
 
 
 def _linear_stroke() -> float:

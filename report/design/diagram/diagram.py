@@ -94,6 +94,11 @@ class _Geometry:
         return 0.05 + (lane - self.low + 0.5) * LANE
 
 
+def _clearance(run: Run) -> float:
+    """Return the further room of the symbol of what touches."""
+    return CONTACT if run.joint.section in ("plays", "stops", "walls") else 0.0
+
+
 def _spaces(layout: DiagramLayout, named: Collection[str]) -> list[float]:
     """Return the widths of the spaces between columns: as wide as what stands in each needs."""
     count = len(layout.bodies) + 1
@@ -102,8 +107,7 @@ def _spaces(layout: DiagramLayout, named: Collection[str]) -> list[float]:
         needed[at] = needed[at] if is_there else 0.0
     for run in layout.runs:
         if run.right - run.left == 1:
-            contact = CONTACT if run.joint.section in ("plays", "stops", "walls") else 0.0
-            own = NARROWEST + contact + PIN * sum(end in named for end in run.joint.ends)
+            own = NARROWEST + _clearance(run) + PIN * sum(end in named for end in run.joint.ends)
             needed[run.left] = max(needed[run.left], own)
     boxes = len(layout.bodies) * BOX + sum(layout.walls) * WALL + 0.1
     spare = max(WIDTH - boxes - sum(needed), 0.0)
@@ -176,13 +180,7 @@ class _Drawing:
         first, second = run.joint.ends[::-1] if run.turned else run.joint.ends
         start = self.port(first, left, y, 1)
         end = self.port(second, right, y, -1)
-        middle, half = (
-            0.5 * (start + end),
-            0.5
-            * min(
-                end - start, SYMBOL + (CONTACT if run.joint.section in ("plays", "stops", "walls") else 0.0)
-            ),
-        )
+        middle, half = 0.5 * (start + end), 0.5 * min(end - start, SYMBOL + _clearance(run))
         for x, towards in ((start, middle - half), (middle + half, end)):
             self.axes.plot([x, towards], [y, y], **LINE, zorder=1)
         self.symbol(run, middle - half, middle + half, y)
