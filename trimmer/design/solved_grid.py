@@ -23,7 +23,6 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import Output, OutputKind
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
-from trimmer.motion.measures import Measures
 from trimmer.motion.signals import read
 from trimmer.response.flows import flow_of
 from trimmer.response.response import MotionKind
@@ -135,12 +134,11 @@ class GridWork:
     def _switched(self, mechanism: Mechanism) -> GridMotion:
         found = switching(mechanism)
         flow, course = found.motion.flow, found.motion.course
-        measures = Measures(course, flow, 1, 1)
         share = min(1.0, SEEN * found.last / course.duration) or 1.0
         return GridMotion(
             MotionKind.UNDECIDED if found.rest is None else MotionKind.REST,
             None,
-            tuple(of_switching(found.closings, measures, each) for each in self.asked),
+            tuple(of_switching(found, each) for each in self.asked),
             course.duration * share,
             self._curves(flow, course, share, MOST_POINTS),
             ((),) * len(self.signals),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,13 +27,13 @@ from trimmer.maps.inputs import varied
 from trimmer.maps.settle import Settled, settle
 from trimmer.mechanism.coordinates import shaken_ends
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.extremes import extremes
 from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures
 from trimmer.motion.subject import Subject
-from trimmer.response.closings import Closing
 from trimmer.response.flows import flow_of
 from trimmer.response.response import MotionKind
-from trimmer.response.switching import switching
+from trimmer.response.switching import Switching, switching
 
 _SECTIONS = {
     Measure.STROKE: "outputs",
@@ -138,9 +137,8 @@ class TrialWork:
 
     def _switched(self, values: tuple[float, ...], mechanism: Mechanism) -> Trial:
         found = switching(mechanism)
-        measures = Measures(found.motion.course, found.motion.flow, 1, 1)
         kind = MotionKind.UNDECIDED if found.rest is None else MotionKind.REST
-        every = tuple((each, of_switching(found.closings, measures, each)) for each in self.asked)
+        every = tuple((each, of_switching(found, each)) for each in self.asked)
         return Trial(values, kind, None, every)
 
     def _stepped(self, values: tuple[float, ...], mechanism: Mechanism) -> Trial:
@@ -183,10 +181,11 @@ def measures_of_settled(flow: Flow, settled: Settled) -> Measures | None:
     return Measures(course, flow, 1, WINDOW)
 
 
-def of_switching(closings: Mapping[str, Closing], measures: Measures, asked: MeasureOfPart) -> float:
+def of_switching(found: Switching, asked: MeasureOfPart) -> float:
     """Return a measure from start to rest; times of a contact that does not close are infinite."""
+    closings, motion = found.closings, found.motion
     if asked.measure is Measure.STROKE:
-        return measures.peak_to_peak[asked.part]
+        return float(np.ptp(extremes(motion.course, motion.flow.outputs[asked.part].signal)))
     never = 0.0 if asked.measure is Measure.IMPACT_SPEED else math.inf
     return getattr(closings[asked.part], asked.measure.key) if asked.part in closings else never
 

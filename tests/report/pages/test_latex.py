@@ -98,6 +98,13 @@ def test_a_bracket_that_fits_only_without_its_sign_is_broken() -> None:
     assert max(width(line) for line in lines_of(fit(formula, LINE))) <= LINE
 
 
+def test_only_the_wider_of_two_brackets_is_opened() -> None:
+    wide = " + ".join(f"m_{{{number}}} k_{{{number}}}" for number in range(12))
+    lines = lines_of(fit(rf"p = \left(x + y\right) \left({wide}\right)", LINE))
+    assert len(lines) == 2
+    assert r"\left(x+y \right)" in lines[0]
+
+
 @settings(max_examples=examples(20, 60), deadline=None)
 @given(polynomials())
 def test_breaking_loses_nothing_and_every_line_fits(expression: sympy.Expr) -> None:

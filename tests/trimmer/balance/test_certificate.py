@@ -88,6 +88,14 @@ def test_a_solution_at_the_corner_of_four_boxes_is_found_once() -> None:
     assert balance.certificate.complete
 
 
+def test_the_cycle_of_a_relay_beside_an_undamped_mode_is_certain() -> None:
+    """-1/N is -pi A/4, and G = -1/((s² + 1) (s + 1)³) is -1/16 at √3 rad/s, beyond its poles at ±j."""
+    balance = harmonic_balance(-1 / ((s**2 + 1) * (s + 1) ** 3), Relay(1.0))
+    (cycle,) = balance.limit_cycles
+    assert (cycle.omega, cycle.amplitude) == pytest.approx((math.sqrt(3.0), 1 / (4 * math.pi)), rel=1e-12)
+    assert balance.certificate.complete
+
+
 def test_a_hidden_undamped_mode_is_passed_over_or_undecided() -> None:
     third_order = 20 / (s + 1) ** 3
     hidden = third_order * (s**2 + 0.25) / (s**2 + 0.25)

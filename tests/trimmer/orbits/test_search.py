@@ -219,16 +219,17 @@ def test_an_interrupted_search_keeps_what_it_has(monkeypatch: pytest.MonkeyPatch
     assert str(raised.value) == orbits.message
 
 
-def test_motions_begin_at_all_sizes_of_the_element() -> None:
+@pytest.mark.parametrize(
+    ("loop", "of_size"),
+    [
+        (pin_model(TrimmerParameters.thesis(), channels="displacement"), FrictionBacklash),
+        (control.tf([10.0], [1, 3, 3, 1]), lambda size: Relay(size, 0.2 * size, size)),
+    ],
+)
+def test_motions_begin_at_all_sizes_of_the_element(loop, of_size) -> None:
     """An unstable orbit parts motions that grow from those that come to rest, whatever its size."""
-    some, loop = (
-        OrbitSearch("always", starts=12),
-        pin_model(TrimmerParameters.thesis(), channels="displacement"),
-    )
-    told = [
-        periodic_orbits(loop, FrictionBacklash(size), [], some).search.simulations
-        for size in (1e-9, 1.0, 1e9)
-    ]
+    some = OrbitSearch("always", starts=12)
+    told = [periodic_orbits(loop, of_size(size), [], some).search.simulations for size in (1e-9, 1.0, 1e9)]
     assert told[0] == told[1] == told[2]
     assert min(told[0].settled, told[0].at_rest) > 1
 
