@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
+from random import Random
 
 import pytest
 
@@ -34,6 +36,24 @@ def test_no_part_runs_through_a_body_or_another_part(layout: DiagramLayout) -> N
             assert not (run.left < columns[body] < run.right and low <= run.lane <= high)
         others = [each for each in layout.runs if each is not run and each.lane == run.lane]
         assert all(each.right <= run.left or run.right <= each.left for each in others)
+
+
+@pytest.mark.parametrize("seed", range(76, 84))
+def test_no_part_of_random_machines_runs_through_a_body_unless_one_says_so(seed: int) -> None:
+    chance = Random(seed)
+    names = ["ground", *(f"b{number}" for number in range(chance.randint(3, 6)))]
+    pairs = [*pairwise(names), *(chance.sample(names, 2) for _ in range(chance.randint(3, 12)))]
+    links = (f's{n} = {{ between = ["{a}", "{b}"], stiffness = 1.0 }}' for n, (a, b) in enumerate(pairs))
+    bodies = (f"{each} = {{ mass = 1.0 }}" for each in names[1:])
+    layout = layout_of(Mechanism.from_toml_text("\n".join(["[bodies]", *bodies, "[links]", *links])))
+    columns = {body: place for place, body in enumerate(layout.bodies, start=1)}
+    through = [
+        (run.joint.name, body)
+        for run in layout.runs
+        for body, (low, high) in layout.spans.items()
+        if run.left < columns[body] < run.right and low <= run.lane <= high
+    ]
+    assert bool(through) <= any(run.crosses for run in layout.runs)
 
 
 def test_every_part_joins_its_two_ends(mechanism: Mechanism, layout: DiagramLayout) -> None:
