@@ -148,7 +148,8 @@ def at_rest(rest: Rest, before: float) -> SettledMotion:
     told = f"It comes to rest within {within}, and nothing sets it in motion{_of_rest(rest)}."
     if rest.asymptotic:
         seen = f"where that leads to was seen within {within}"
-        told = f"It slips for ever, less each time; {seen}{_of_rest(rest)}."
+        how = "slides for ever, ever more slowly" if period else "slips for ever, less each time"
+        told = f"It {how}; {seen}{_of_rest(rest)}."
     periods = int(before) if period else 0
     return SettledMotion(MotionKind.REST, None, None, periods, None, 1, 1.0, False, told, rest)
 
@@ -166,7 +167,10 @@ def settled_at_last(found: Solved, before: float) -> SettledMotion:
     flow = found.motion.flow
     periods = int(before) if flow.period else 0
     on_torus = found.kind is MotionKind.TORUS
-    window = watch(flow, found.motion.limit, WINDOW) if on_torus and flow.period else None
+    window = None
+    if on_torus:
+        unit = 0.0 if flow.period else 2 * np.pi / float(found.motion.frequencies[0])
+        window = watch(flow, found.motion.limit, WINDOW, unit)
     told = f"{_told(found)}. No event comes any more, so that this was solved for and not waited for."
     return SettledMotion(
         found.kind, found.orbit, window, periods, None, 1, 1.0, False, told, linear=found.motion

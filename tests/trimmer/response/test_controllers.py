@@ -117,6 +117,14 @@ def test_slips_without_a_drop_become_smaller_for_ever(ki: float) -> None:
     assert len(events) < 40
 
 
+@pytest.mark.parametrize("ki", [20.0, 120.0])
+def test_under_samples_it_slides_ever_more_slowly_instead(ki: float) -> None:
+    (motion,) = respond(one(static=0.05, ki=ki, more="sample = 1e-3")).motions
+    assert motion.rest is not None and motion.rest.asymptotic
+    assert motion.rest.positions["motor"] == pytest.approx(0.5, abs=1e-12)
+    assert "slides for ever, ever more slowly; where that leads to was seen within" in motion.message
+
+
 def test_what_never_moves_rests_unless_its_integral_runs_on() -> None:
     (held,) = respond(one(limit=0.04)).motions
     assert held.rest is not None and held.rest.family and not held.rest.asymptotic

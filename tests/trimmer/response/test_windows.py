@@ -137,3 +137,20 @@ def test_chaos_is_scaled_with_forces_and_gaps(chaos: Response) -> None:
     assert second.peak_to_peak["x"] == pytest.approx(4.0 * first.peak_to_peak["x"], rel=1e-9)
     assert second.lyapunov.value == pytest.approx(first.lyapunov.value, rel=1e-9)
     assert second.events_per_period == first.events_per_period
+
+
+def test_what_swings_for_ever_without_a_drive_tells_what_leans_on_it() -> None:
+    """Two free vibrations, one against a stop that is pressed: its force is that of paper."""
+    swinging = Mechanism(
+        {"a": Body(1.0), "b": Body(1.7)},
+        links={"l": Link(("ground", "a"), 1234.0), "n": Link(("ground", "b"), 4000.0)},
+        stops={"u": Stop(("ground", "b"), 500.0, gap=-0.2), "far": Stop(("ground", "a"), 100.0, gap=1.0)},
+        outputs={"x": Output({"a": 1.0})},
+    )
+    response = respond(swinging, state={"a": (0.01, 0.0), "b": (0.001, 0.0)})
+    assert response.kind is MotionKind.TORUS
+    contacts = response_json(response)["contacts"]
+    # From 1 mm, its turning point: it swings about the place where both springs balance, below that.
+    assert contacts["u"]["largest_force"] == pytest.approx(500.0 * 0.201, rel=1e-12)
+    assert [contacts["u"][key] for key in ("impacts_per_period", "share_of_time")] == [0.0, 1.0]
+    assert contacts["far"]["largest_force"] == contacts["far"]["share_of_time"] == 0.0
