@@ -88,7 +88,7 @@ def _motion(design: Design) -> Iterator[Figure]:
     if motion is None:
         return
     signals = motion.signals
-    span = "one period" if motion.repeats else "some drive periods of a motion that does not repeat"
+    span = "one period" if motion.repeats else "a stretch of a motion that does not repeat"
     span = "a part of the rest" if motion.kind is MotionKind.REST else span
     span = "the time until nothing happens any more" if motion.switched is not None else span
     shown = [

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from report.design.quantities import percent, place_words, shown, written
-from report.design.words import capital, closings_words, count, kind_words
+from report.design.words import capital, closings_words, count, kind_words, periods
 from report.pages.escaping import Markdown, code, markdown
 from trimmer.design.design import Design, Stage
 from trimmer.design.plausible import Oddity, Question
@@ -154,22 +154,23 @@ def settled_sentences(design: Design) -> str:
         exponent = motion.lyapunov
         grown = (
             f" Small distances grow by the factor {written(float(np.exp(exponent.value)), 3)} per "
-            "drive period, so that nobody can foresee it. It may still calm down after a longer time."
+            f"{motion.period_word}, so that nobody can foresee it. It may still calm down after a longer "
+            "time."
             if exponent is not None and motion.kind is MotionKind.CHAOTIC
             else ""
         )
         return (
             f"From {begun}, the mechanism comes to {kind_words(motion)}; it was followed for "
-            f"{motion.drive_periods} drive periods.{grown} Its measures are taken over "
-            f"{motion.measured_periods} drive periods, so the last digits depend on which."
+            f"{periods(motion, motion.drive_periods)}.{grown} Its measures are taken over "
+            f"{periods(motion, motion.measured_periods)}, so the last digits depend on which."
         )
     if not motion.driven:
         return f"From {begun}, the mechanism comes to {kind_words(motion)}."
     told = (
-        f"From {begun}, the mechanism settles within {count(motion.drive_periods, 'drive period')} to "
+        f"From {begun}, the mechanism settles within {periods(motion, motion.drive_periods)} to "
         f"{kind_words(motion)}. It was solved for exactly, {_steadiness(design)}. "
-        f"{capital(count_of(motion.events, 'event'))} happen in a drive period: contacts made or broken, "
-        "slips reversed, stick begun or ended."
+        f"{capital(count_of(motion.events, 'event'))} happen in a {motion.period_word}: contacts made "
+        "or broken, slips reversed, stick begun or ended."
     )
     if motions.message and motion.neighbour_agrees is False:
         told += " A start that differs by a millionth ends in another motion, so that chance decides."
@@ -258,7 +259,7 @@ def exposure_sentences(design: Design) -> Markdown:
     else:
         told = markdown("The hand holds the {}.", held)
     if not motion.repeats:
-        samples = f"samples of {motion.measured_periods} drive periods were weighted"
+        samples = f"samples of {periods(motion, motion.measured_periods)} were weighted"
         return markdown("{} The motion does not repeat, so {}.", told, samples)
     each = next(iter(motion.hand_arm.values()))
     largest = max(each.left_out for each in motion.hand_arm.values())

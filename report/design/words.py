@@ -56,6 +56,12 @@ def count(number: int, noun: str) -> str:
     return f"{number_words(number)} {noun}{'' if number == 1 else 's'}"
 
 
+def periods(motion: FoundMotion, number: int) -> str:
+    """Return a number of what is counted of a motion, as ``24 drive periods`` or ``24 samples``."""
+    head, *tail = motion.period_word.split(" of ")
+    return " of ".join([count(number, head), *tail])
+
+
 def number_words(number: int) -> str:
     """Return a whole number, in words up to twelve."""
     return COUNTS[number] if 0 <= number < len(COUNTS) else str(number)
@@ -112,15 +118,13 @@ def kind_words(motion: FoundMotion) -> str:
     if motion.kind is MotionKind.PERIODIC:
         if not motion.driven:
             return f"a motion of its own that repeats after {shown(motion.period or 0.0, 's', 5)}"
-        return (
-            f"a motion that repeats after {count(motion.period_count or 1, 'drive period')}{_advance(motion)}"
-        )
+        return f"a motion that repeats after {periods(motion, motion.period_count or 1)}{_advance(motion)}"
     if motion.steps and motion.kind is MotionKind.UNDECIDED:
         return "hunting that does not repeat"
     return {
         MotionKind.TORUS: "a motion that beats and never quite repeats (a torus)",
         MotionKind.REST: "rest: nothing moves",
-        MotionKind.CHAOTIC: f"a motion that stayed chaotic for {motion.drive_periods} drive periods",
+        MotionKind.CHAOTIC: f"a motion that stayed chaotic for {periods(motion, motion.drive_periods)}",
         MotionKind.DIVERGING: "a motion that grows without bound",
     }.get(motion.kind, "a motion that had not settled when the wait was over")
 
@@ -382,7 +386,7 @@ def _grounds(design: Design, motion: FoundMotion) -> list[str]:
     measured = (
         f"the motion was followed for {shown(motion.signals.times[-1], 's')} more, in which it did not repeat"
         if motion.steps
-        else f"the motion does not repeat and was measured over {motion.measured_periods} drive periods"
+        else f"the motion does not repeat and was measured over {periods(motion, motion.measured_periods)}"
     )
     if motion.repeats:
         measured = "the motion repeats exactly, and was solved for to rounding"

@@ -21,6 +21,7 @@ from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 from trimmer.response.closings import Closing
 from trimmer.response.estimate import Estimate
 from trimmer.response.orbit import Orbit
+from trimmer.response.pace import period_word
 from trimmer.response.response import MotionKind, SettledMotion
 from trimmer.response.step import StepResponse
 from trimmer.response.switching import switching
@@ -78,6 +79,7 @@ class FoundMotion:
         signals: Over a period, or over some drive periods.
         driven: Whether a drive, or the clock of a controller, gives the period.
         switched: Where it is that of a machine that switches, from its start on; else None.
+        period_word: What is counted: drive periods, or the samples that alone drive.
         steps: How each controller follows its step, by name.
     """
 
@@ -101,6 +103,7 @@ class FoundMotion:
     events: float
     signals: MotionSignals
     driven: bool = True
+    period_word: str = "drive period"
     switched: Switched | None = None
     steps: Mapping[str, FoundStep] = field(default_factory=dict)
 
@@ -245,6 +248,7 @@ def _made(
         events=measures.events_per_period,
         signals=signals_of(flow, course, share or min(1.0, SHOWN / periods)),
         driven=bool(flow.period),
+        period_word=period_word(flow.subject),
     )
 
 

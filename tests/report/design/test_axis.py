@@ -26,7 +26,7 @@ def told(text: str) -> dict[str, str]:
     study = Study(file, DesignSettings(cells=2), SerialRunner())
     design = study.short()
     report = DesignReport("Axis", pictures(design), origin_of([file], "2026-01-01"), design, None)
-    assert "step-1" in report.figures
+    assert ("step-1" in report.figures) == ("[references]" in text)
     return {name: re.sub(r"\\(?=[^a-zA-Z])", "", each) for name, each in to_markdown(report).items()}
 
 
@@ -52,6 +52,14 @@ def test_an_axis_that_rests_is_told_so() -> None:
     file = design_file_of_text(SAMPLED, "mine.toml")
     places = [each.place for each in varied_places(file.mechanism, None)]
     assert places == ["controllers.axis.kp", "controllers.axis.ki"]
+
+
+def test_what_samples_alone_drive_is_told_in_samples() -> None:
+    held = STICTION.replace('reference = "path"\n', "sample = 0.005\n").split("[references]")[0]
+    pieces = told(held + "[start]\nmotor = [0.5, 0.0]\n")
+    assert "does not repeat and was measured over 96 samples" in pieces["verdict"]
+    assert re.search(r"it was followed for [0-9]+ samples\.", pieces["motions"])
+    assert not any("drive period" in pieces[name] for name in ("verdict", "motions"))
 
 
 @pytest.mark.parametrize("targets", quick(["", "[targets]\novershoot_at_most = 40\n"], 1))
