@@ -32,7 +32,7 @@ from trimmer.contact.statuses import (
     STICK,
 )
 from trimmer.hybrid.dry_friction import elementary_vectors, independent
-from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, NO_STATE, STRUCK, EventFunction, Mode
+from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, NO_STATE, STRUCK, EventFunction, ModeEquations
 
 PUSHING = (PLUS, MINUS, ALWAYS)
 """Statuses of a contact that exerts a force."""
@@ -80,7 +80,7 @@ class Assembler:
     _of_contact: dict[tuple[int, int], tuple[EventFunction, ...]] = field(default_factory=dict, init=False)
     _holdings: dict[tuple[int, ...], _Holding] = field(default_factory=dict, init=False)
 
-    def mode(self, statuses: tuple[int, ...]) -> Mode:
+    def mode(self, statuses: tuple[int, ...]) -> ModeEquations:
         """Return the equations of a mode, by the statuses of contacts, frictions, curves, controls, walls."""
         machine = self.machine
         contacts, bodies = len(machine.stiffness), machine.contact_push.shape[1]
@@ -115,7 +115,7 @@ class Assembler:
         functions += functions_of_walls(machine, statuses, self.period)
         relaxing = {contact: _rate(machine, contact) for contact, _ in springs}
         settled = (FREE if each == RELAXING else each for each in statuses[:contacts])
-        return Mode(
+        return ModeEquations(
             statuses,
             flow,
             tuple(functions),

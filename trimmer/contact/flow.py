@@ -50,7 +50,7 @@ from trimmer.contact.transitions import held_parts
 from trimmer.errors import MechanismError
 from trimmer.hybrid.advance import Instant
 from trimmer.hybrid.affine_modes import Change, is_straight
-from trimmer.hybrid.system import ARRIVED, NO_STATE, STRUCK, Mode, System
+from trimmer.hybrid.system import ARRIVED, NO_STATE, STRUCK, ModeEquations, System
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.mechanism.controls.references import SineReference
@@ -509,7 +509,7 @@ class MechanismFlow(Flow):
                 return False
         return True
 
-    def damping(self, mode: Mode, states: Complexes, rates: Complexes, margins: Reals) -> Reals:
+    def damping(self, mode: ModeEquations, states: Complexes, rates: Complexes, margins: Reals) -> Reals:
         """Return the real parts of λ, exactly zero where nothing damps or rounding cannot tell.
 
         The matrices of mass, damping and stiffness are symmetric. So λ of an oscillation is a root of

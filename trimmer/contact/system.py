@@ -16,7 +16,7 @@ from trimmer.contact.machine import Machine
 from trimmer.contact.statuses import ACTIONS, IMPACT, IMPULSES, KIND_COUNT
 from trimmer.contact.transitions import transition
 from trimmer.contact.walls import strike
-from trimmer.hybrid.system import STRUCK, Clockwork, Decision, EventFunction, Mode, Transition
+from trimmer.hybrid.system import STRUCK, Clockwork, Decision, EventFunction, ModeEquations, Transition
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,19 +65,19 @@ class MechanismSystem:
         widths: Reals = np.where(np.isfinite(offsets), abs(offsets), 0.0).max(axis=1, initial=0.0)
         return widths
 
-    def mode(self, statuses: tuple[int, ...]) -> Mode:
+    def mode(self, statuses: tuple[int, ...]) -> ModeEquations:
         """Return the equations of the mode with given statuses: of contacts, frictions, curves, walls."""
         return self.assembler.mode(statuses)
 
-    def terms(self, mode: Mode) -> Reals:
+    def terms(self, mode: ModeEquations) -> Reals:
         """Return the moduli of what the flow of a mode is made of, (N, N): stick takes forces away."""
         return abs(flow_without_stick(self.machine, mode.statuses))
 
-    def transition(self, mode: Mode, function: EventFunction, jumped: bool) -> Transition | None:
+    def transition(self, mode: ModeEquations, function: EventFunction, jumped: bool) -> Transition | None:
         """Return what follows an event; None where several frictions at rest decide it together."""
         return transition(self.machine, mode.statuses, function, jumped)
 
-    def reset(self, mode: Mode, function: EventFunction) -> Reals | None:
+    def reset(self, mode: ModeEquations, function: EventFunction) -> Reals | None:
         """Return what an impact on a wall makes of the state, (N, N); at a contact it goes on."""
         if function.action != STRUCK:
             return None
@@ -96,7 +96,7 @@ class MechanismSystem:
         return impulse_of(self.machine, wall, restitution), -self.machine.wall_distance[wall]
 
     def decide(
-        self, mode: Mode, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
+        self, mode: ModeEquations, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
     ) -> Decision:
         """Return what frictions and walls at rest do, or what follows an impact.
 

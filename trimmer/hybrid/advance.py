@@ -32,7 +32,7 @@ from trimmer.hybrid.system import (
     REVERSED,
     STRUCK,
     Decision,
-    Mode,
+    ModeEquations,
 )
 from trimmer.hybrid.tables import UNKNOWN, Modes
 from trimmer.hybrid.tabulated_change import AT_REST
@@ -367,7 +367,7 @@ class _Integration:
                     at_rest.add(function.owner)
         return np.array(sorted(at_rest), dtype=np.intp)
 
-    def _change_together(self, place: Place, mode: Mode, decision: Decision, at_rest: Places) -> int:
+    def _change_together(self, place: Place, mode: ModeEquations, decision: Decision, at_rest: Places) -> int:
         """Change the mode, and log what each part does in a row of its own; returns the number of rows."""
         before, after, zeros, work = mode.statuses, decision.statuses, decision.zeros, self.work
         self.mode = self.modes.number(after)
@@ -439,7 +439,7 @@ class _Integration:
         return over, phase - over * period if over else phase
 
 
-def _kind(before: Mode, after: Mode, part: int) -> int:
+def _kind(before: ModeEquations, after: ModeEquations, part: int) -> int:
     if part in after.held:
         return HOLD_BEGUN
     return HOLD_ENDED if part in before.held else REVERSED

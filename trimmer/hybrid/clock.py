@@ -20,7 +20,7 @@ from trimmer.hybrid.system import ARRIVED, AT_LIMIT
 from trimmer.hybrid.taylor import MOST_ZEROS
 
 if TYPE_CHECKING:
-    from trimmer.hybrid.system import Clockwork, Mode, Sampler
+    from trimmer.hybrid.system import Clockwork, ModeEquations, Sampler
 
 TICKED = -10
 """In place of the event function that began a segment: an instant of the clock, with its code subtracted."""
@@ -218,7 +218,7 @@ class Samplings:
         self.clock = self.clock._replace(**made)
 
 
-def _of_functions(samplers: tuple[Sampler, ...], mode: Mode) -> tuple[list[int], list[int]]:
+def _of_functions(samplers: tuple[Sampler, ...], mode: ModeEquations) -> tuple[list[int], list[int]]:
     """Return which event functions come first at an instant, and how many derivatives do not jump there."""
     written = [place for each in samplers for place in (*each.places, each.acting[1])]
     continuous = []

@@ -54,7 +54,7 @@ class EventFunction:
 
 
 @dataclass(frozen=True, eq=False)
-class Mode:
+class ModeEquations:
     """The equations of a mode.
 
     Attributes:
@@ -294,16 +294,16 @@ class System(Protocol):
     def scales(self) -> Reals:
         """Sizes by which it is measured what of these states is negligible, (m,)."""
 
-    def mode(self, statuses: tuple[int, ...]) -> Mode:
+    def mode(self, statuses: tuple[int, ...]) -> ModeEquations:
         """Return the equations of the mode with given statuses of all parts."""
 
-    def transition(self, mode: Mode, function: EventFunction, jumped: bool) -> Transition | None:
+    def transition(self, mode: ModeEquations, function: EventFunction, jumped: bool) -> Transition | None:
         """Return what follows where an event function falls to zero, or is negative at once.
 
         None where several parts at rest decide it together.
         """
 
-    def reset(self, mode: Mode, function: EventFunction) -> Reals | None:
+    def reset(self, mode: ModeEquations, function: EventFunction) -> Reals | None:
         """Return what an event makes of the state, (N, N); None if it goes on."""
 
     def impulse(self, part: int, kind: int) -> tuple[Reals, Reals] | None:
@@ -312,11 +312,11 @@ class System(Protocol):
         None where what happened to the part was no impulse.
         """
 
-    def terms(self, mode: Mode) -> Reals:
+    def terms(self, mode: ModeEquations) -> Reals:
         """Return the sums of the moduli of what the flow of a mode is made of, (N, N)."""
 
     def decide(
-        self, mode: Mode, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
+        self, mode: ModeEquations, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
     ) -> Decision:
         """Return what parts at rest do, by their numbers, where an event function falls to zero.
 

@@ -18,7 +18,7 @@ from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.clock import Samplings
 from trimmer.hybrid.series import ModeTables, tabulate
 from trimmer.hybrid.sparse import Rows, moduli_times, step_of, with_rows
-from trimmer.hybrid.system import Mode, System
+from trimmer.hybrid.system import ModeEquations, System
 from trimmer.hybrid.taylor import DEGREE, LEVELS, bernstein_from_taylor
 
 UNKNOWN = -1
@@ -109,7 +109,7 @@ def _entries(system: System) -> int:
     return size * size * (DEGREE + 4) + 3 * size * functions * (DEGREE + 1)
 
 
-def _is_dense(system: System, mode: Mode, most_bytes: int) -> bool:
+def _is_dense(system: System, mode: ModeEquations, most_bytes: int) -> bool:
     """Say whether a step of a large system takes fewer products by tables than by rows.
 
     Args:
@@ -183,7 +183,7 @@ class Modes(Generic[_System]):
     system: _System
     most_bytes: int = MOST_BYTES
     _statuses: list[tuple[int, ...]] = field(default_factory=list, init=False, repr=False)
-    _known: dict[int, Mode] = field(default_factory=dict, init=False, repr=False)
+    _known: dict[int, ModeEquations] = field(default_factory=dict, init=False, repr=False)
     _numbers: dict[tuple[int, ...], int] = field(default_factory=dict, init=False, repr=False)
     _dense: bool = field(default=False, init=False, repr=False)
 
@@ -216,12 +216,12 @@ class Modes(Generic[_System]):
                 modes.samplings.add(modes, number)
         return modes
 
-    def __getitem__(self, number: int) -> Mode:
+    def __getitem__(self, number: int) -> ModeEquations:
         if number not in self._known:
             self._keep(number, self.system.mode(self._statuses[number]))
         return self._known[number]
 
-    def _keep(self, number: int, mode: Mode) -> None:
+    def _keep(self, number: int, mode: ModeEquations) -> None:
         """Keep the equations of a mode, those of a large system for a while."""
         most = max(MOST_MATRICES // mode.flow.size, 4)
         if self.tables.rows is not None and len(self._known) >= most:
@@ -305,14 +305,14 @@ class Modes(Generic[_System]):
         self.__dict__["tables"] = tables._replace(resets=np.concatenate([tables.resets, reset.T[None]]))
         return len(tables.resets)
 
-    def _write_rows(self, number: int, mode: Mode, rows: Rows) -> None:
+    def _write_rows(self, number: int, mode: ModeEquations, rows: Rows) -> None:
         """Write a mode as rows, behind those of the others."""
         functions = np.array([each.row for each in mode.functions]).reshape(-1, len(mode.flow))
         rows = with_rows(rows, number, (mode.flow, mode.hold, functions))
         self.__dict__["tables"] = self.tables._replace(rows=rows)
         self.tables.step[number] = step_of(mode.flow, self.system.layout.state_count)
 
-    def _write_step(self, number: int, mode: Mode) -> None:
+    def _write_step(self, number: int, mode: ModeEquations) -> None:
         """Write the tables of a step."""
         tables, count = self.tables, len(mode.functions)
         rows = np.array([each.row for each in mode.functions]).reshape(count, len(mode.flow))
@@ -327,7 +327,7 @@ class Modes(Generic[_System]):
         tables.step[number] = tabulate(mode.flow, self.system.layout.state_count, rows, target)
         tables.flow[number], tables.hold[number] = mode.flow, mode.hold.T
 
-    def _tabulate(self, number: int, mode: Mode) -> None:
+    def _tabulate(self, number: int, mode: ModeEquations) -> None:
         if self.tables.rows is None:
             self._write_step(number, mode)
         else:

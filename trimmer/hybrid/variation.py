@@ -18,7 +18,7 @@ from trimmer.arrays import Reals
 from trimmer.hybrid.clock import TICKED, carried
 from trimmer.hybrid.propagation import propagate, room_for
 from trimmer.hybrid.sparse import carry
-from trimmer.hybrid.system import STRUCK, EventFunction, Mode
+from trimmer.hybrid.system import STRUCK, EventFunction, ModeEquations
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.hybrid.taylor import DEGREE
@@ -230,7 +230,7 @@ def _reset_of_those_that_follow(
     return total
 
 
-def _at_status(mode: Mode, function: EventFunction) -> tuple[int, int, int]:
+def _at_status(mode: ModeEquations, function: EventFunction) -> tuple[int, int, int]:
     """Return what tells an event function of a part: what it means, and in which status of the part."""
     return function.owner, function.action, mode.statuses[function.owner]
 

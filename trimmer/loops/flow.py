@@ -11,7 +11,7 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.hybrid.advance import Instant
-from trimmer.hybrid.system import ARRIVED, Mode, System
+from trimmer.hybrid.system import ARRIVED, ModeEquations, System
 from trimmer.hybrid.tables import Modes
 from trimmer.loops.components.backlash_component import BacklashComponent
 from trimmer.loops.components.relay_component import RelayComponent
@@ -215,7 +215,7 @@ class LoopFlow(Flow):
         """Not known of loops."""
         return False
 
-    def damping(self, mode: Mode, states: Complexes, rates: Complexes, margins: Reals) -> Reals:
+    def damping(self, mode: ModeEquations, states: Complexes, rates: Complexes, margins: Reals) -> Reals:
         """Return the real parts of the rates, exactly zero where rounding cannot tell."""
         real: Reals = rates.real.copy()
         real[abs(real) <= margins] = 0.0

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, OWN_ACTIONS, EventFunction, Mode
+from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, OWN_ACTIONS, EventFunction, ModeEquations
 from trimmer.loops.components.relay_component import HELD, RelayComponent
 from trimmer.loops.components.switched_component import (
     Constrained,
@@ -42,7 +42,7 @@ class LoopFunction(EventFunction):
 
 
 @dataclass(frozen=True, eq=False)
-class LoopMode(Mode):
+class LoopMode(ModeEquations):
     """A mode: event functions of all components, then of the coupled ones together, and their signals."""
 
     functions: tuple[LoopFunction, ...]

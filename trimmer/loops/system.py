@@ -19,7 +19,7 @@ from trimmer.hybrid.system import (
     REVERSED,
     Decision,
     EventFunction,
-    Mode,
+    ModeEquations,
     Transition,
 )
 from trimmer.hybrid.tables import Modes
@@ -83,11 +83,11 @@ class LoopSystem:
             self._assembled[statuses] = assemble(self.interconnection, statuses, self.coupled)
         return self._assembled[statuses]
 
-    def terms(self, mode: Mode) -> Reals:
+    def terms(self, mode: ModeEquations) -> Reals:
         """Return the moduli of the flow of a mode, (N, N)."""
         return abs(mode.flow)
 
-    def transition(self, mode: Mode, function: EventFunction, jumped: bool) -> Transition | None:
+    def transition(self, mode: ModeEquations, function: EventFunction, jumped: bool) -> Transition | None:
         """Return what follows an event; None where several relays begin to slide together."""
         assert isinstance(mode, LoopMode)
         assert isinstance(function, LoopFunction)
@@ -100,7 +100,7 @@ class LoopSystem:
         zeros = tuple((action, count) for action, count in zip(actions, first.zeros, strict=False) if count)
         return Transition(after, KINDS[first.kind], zeros, self.reset(mode, function))
 
-    def reset(self, mode: Mode, function: EventFunction) -> Reals | None:
+    def reset(self, mode: ModeEquations, function: EventFunction) -> Reals | None:
         """Return what an event makes of the state, (N, N), None for nothing; what is held is at rest then."""
         assert isinstance(function, LoopFunction)
         reset = self.of_states(function)
@@ -121,7 +121,7 @@ class LoopSystem:
         return reset
 
     def decide(
-        self, mode: Mode, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
+        self, mode: ModeEquations, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
     ) -> Decision:
         """Return what relays at rest do, one after the other where their influence is not symmetric."""
         held = list(mode.statuses)

@@ -12,7 +12,7 @@ import numpy as np
 from trimmer.arrays import Complexes, Reals
 from trimmer.hybrid.advance import MOST_STEPS, Ending, Instant, advance
 from trimmer.hybrid.clock import TICKED
-from trimmer.hybrid.system import Mode, System
+from trimmer.hybrid.system import ModeEquations, System
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.work import Log
 from trimmer.motion.course import Course, Strobe
@@ -153,7 +153,7 @@ class Flow(ABC):
         """Return the motion of another subject of the same kind, whose modes are known."""
 
     @abstractmethod
-    def damping(self, mode: Mode, states: Complexes, rates: Complexes, margins: Reals) -> Reals:
+    def damping(self, mode: ModeEquations, states: Complexes, rates: Complexes, margins: Reals) -> Reals:
         """Return the real parts of rates, (r,), of free motions, (n, r), 1/s; zero where nothing damps."""
 
     def without_rounding(self, sizes: Reals) -> Reals:

@@ -11,7 +11,7 @@ import numpy as np
 from trimmer.contact.statuses import IMPACT
 from trimmer.hybrid.calm import amid_longest
 from trimmer.hybrid.clock import ABOVE, BELOW, TICKED, WITHIN, Clock, carried
-from trimmer.hybrid.system import EventFunction, Mode, System
+from trimmer.hybrid.system import EventFunction, ModeEquations, System
 from trimmer.hybrid.variation import end_of_instant
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
@@ -43,7 +43,7 @@ class Seen:
         system: System = self.modes.system
         return system
 
-    def mode(self, row: int) -> Mode:
+    def mode(self, row: int) -> ModeEquations:
         """Return the mode of a row of the log."""
         return self.system.mode(self.known[int(self.log.mode[row])].statuses)
 
@@ -257,7 +257,7 @@ def _tick(seen: Seen, row: int) -> dict[str, Any]:
     return {"at": float(seen.log.start[row]), "strict": rows}
 
 
-def _together(mode: Mode, fired: int, state: Any, largest: Any) -> list[int]:
+def _together(mode: ModeEquations, fired: int, state: Any, largest: Any) -> list[int]:
     """Return the other event functions that are zero where one falls to zero."""
     return [
         place
@@ -266,7 +266,7 @@ def _together(mode: Mode, fired: int, state: Any, largest: Any) -> list[int]:
     ]
 
 
-def _zeros(mode: Mode, state: Any, largest: Any, owners: set[int]) -> list[list[int]]:
+def _zeros(mode: ModeEquations, state: Any, largest: Any, owners: set[int]) -> list[list[int]]:
     """Return how many derivatives of event functions of the parts concerned vanish after an event."""
     found = []
     for place, function in enumerate(mode.functions):

@@ -18,7 +18,7 @@ import scipy.linalg
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Flags, Reals
     from trimmer.hybrid.advance import Instant
-    from trimmer.hybrid.system import Mode
+    from trimmer.hybrid.system import ModeEquations
     from trimmer.motion.flow import Flow
 
 ROUNDING = 64 * float(np.finfo(float).eps)
@@ -234,7 +234,7 @@ def grows_for_ever(flow: Flow, instant: Instant) -> bool:
     return modal is not None and _forced(held, modal) is None
 
 
-def _mode(flow: Flow, instant: Instant) -> Mode:
+def _mode(flow: Flow, instant: Instant) -> ModeEquations:
     return flow.modes[flow.modes.number(instant.statuses)]
 
 
@@ -259,7 +259,7 @@ class _Held(NamedTuple):
     omegas: Reals
 
     @classmethod
-    def of(cls, flow: Flow, mode: Mode) -> _Held:
+    def of(cls, flow: Flow, mode: ModeEquations) -> _Held:
         layout, size = flow.modes.system.layout, flow.size
         A, B = mode.flow[:size, :size], mode.flow[:size, size:]
         hold, shift = mode.hold[:size, :size], mode.hold[:size, size:]
@@ -299,7 +299,7 @@ class _Modal(NamedTuple):
     margins: Reals
 
 
-def _modal(flow: Flow, mode: Mode, held: _Held) -> _Modal | None:
+def _modal(flow: Flow, mode: ModeEquations, held: _Held) -> _Modal | None:
     """Return the free parts; None if one grows, or if they cannot be told apart."""
     matrix = held.matrix
     with np.errstate(all="ignore"):  # SciPy takes scales for places.

@@ -15,7 +15,7 @@ from trimmer.arrays import Places, Reals
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.system import MechanismSystem
 from trimmer.hybrid.advance import Ending, advance
-from trimmer.hybrid.system import HOLD_BEGUN, EventFunction, Mode
+from trimmer.hybrid.system import HOLD_BEGUN, EventFunction, ModeEquations
 from trimmer.hybrid.tables import Modes
 from trimmer.mechanism import GROUND, Wall
 from trimmer.motion.course import Course
@@ -92,7 +92,9 @@ class Counting(MechanismSystem):
 
     asked: list[EventFunction] = field(default_factory=list)
 
-    def decide(self, mode: Mode, state: Reals, function: EventFunction, jumped: bool, at_rest: Places):
+    def decide(
+        self, mode: ModeEquations, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
+    ):
         self.asked.append(function)
         return super().decide(mode, state, function, jumped, at_rest)
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.hybrid.advance import Instant
-from trimmer.hybrid.system import AT_LIMIT, HOLD_BEGUN, Mode
+from trimmer.hybrid.system import AT_LIMIT, HOLD_BEGUN, ModeEquations
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
@@ -95,7 +95,7 @@ def runs_on(flow: Flow, instant: Instant) -> bool:
     return still and not falls and bool((abs(rates) > TOLD * abs(state)).any())
 
 
-def _evenly(flow: Flow, instant: Instant) -> tuple[Mode, Reals, Reals]:
+def _evenly(flow: Flow, instant: Instant) -> tuple[ModeEquations, Reals, Reals]:
     """Return the mode in which all sticks, the extended state there without what decays, and its rates."""
     layout, mode = flow.modes.system.layout, flow.modes[flow.modes.number(instant.statuses)]
     state = np.concatenate([instant.state, layout.forcing_at(instant.phase)])
