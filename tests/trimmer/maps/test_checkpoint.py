@@ -139,6 +139,31 @@ def test_a_file_with_another_header_is_refused(file: Path, key: str, value: str,
         resume(file)
 
 
+@pytest.mark.parametrize(
+    ("header", "message"),
+    [
+        ('{"other": 3}', "is no file of a map"),
+        ("[1]", "is no file of a map"),
+        ('{"trimmer map"', "is no file of a map"),
+        ('{"trimmer map": 0}', "has format 0 of the file of a map, but this program writes"),
+    ],
+)
+def test_what_does_not_begin_as_a_file_of_a_map_is_refused(file: Path, header: str, message: str) -> None:
+    file.write_text(f"{header}\n", "utf-8")
+    with pytest.raises(MapFileError, match=message):
+        resume(file)
+
+
+def test_a_cell_is_in_the_file_before_the_next_is_begun(file: Path) -> None:
+    class Looking:
+        def results(self, work, cells):
+            for done, cell in enumerate(cells):
+                assert file.read_bytes().count(b"\n") == 1 + done
+                yield work(cell)
+
+    motion_map(impact_oscillator(), PLACES, runner=Looking(), file=file)
+
+
 def test_a_map_that_is_there_is_not_lost(file: Path) -> None:
     interrupted(file, 2)
     before = file.read_bytes()
@@ -156,6 +181,8 @@ def test_a_file_of_another_kind_is_not_lost(file: Path) -> None:
     with pytest.raises(MapFileError, match="no file of a map"):
         resume(file)
     assert file.read_text() == "my notes\n"
+    with pytest.raises(MapFileError, match="is a stream, with which no map can go on"):
+        motion_map(impact_oscillator(), PLACES, runner=SERIAL, file=os.devnull)
 
 
 PROGRAM = """

@@ -140,12 +140,6 @@ def sys_path_without(folder: str) -> None:
     sys.path.remove(folder)
 
 
-@pytest.mark.parametrize("chunk", [0, -1])
-def test_a_chunk_has_at_least_one_cell(chunk: int) -> None:
-    with pytest.raises(ValueError, match="chunk must be a whole number from 1 on"):
-        ClusterRunner("tcp://127.0.0.1:1", chunk=chunk)
-
-
 def test_the_command_line_takes_a_cluster(cluster, project_folder: Path, capsys) -> None:
     words = ["map", str(project_folder / "examples" / "oscillator-stop.toml"), "--vary", "frequency=0.9:1:3"]
     assert main([*words, "--json", "--scheduler", cluster.scheduler_address]) == 0
