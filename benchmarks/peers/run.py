@@ -50,7 +50,8 @@ PEERS = (
     Peer("AUTO-07p", "with_auto", "/usr/bin/python3", "apt install auto-07p gfortran"),
 )
 NOT_RUN = {
-    "NLvib": "not run here: its authors' site, for Octave; no script is written yet",
+    "NLvib": "no script is written yet: from its authors' site, for Octave; tried once by hand on the spring "
+    "with corners, with 31 harmonics of 4 096 instants: peak to peak 3e-7 off after 0.7 s, no multipliers",
 }
 HEAD = """## Peers
 
