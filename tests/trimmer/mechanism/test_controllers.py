@@ -75,6 +75,7 @@ WRONG = {
     axis(measure='"angel"', kp='"2 N m/rad"'): "line 21: controllers.axis.measure = 'angel': there is no",
     axis(acts='["ground", "motr"]', kp='"2 N m/rad"'): "point 'motr'; did you mean motor?",
     axis() + "[references]\npath = { step = '1 deg' }\n": "references.path: no controller follows it",
+    axis(reference='["path"]') + "[references]\npath = { step = 1 }\n": "axis.reference = ['path']: ",
     axis(reference='"path"'): "axis.reference = 'path': there is no reference 'path'; there is none",
     axis(acts='"motor"'): ': name two ends, as in ["ground", "motor"]',
     axis(acts='["ground", "base"]'): "a pin moves as prescribed; name what carries it, 'motor'",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields
 from itertools import pairwise
 from typing import Any
@@ -39,7 +39,7 @@ def problems_of_links(content: Mapping[str, Any]) -> Iterator[Problem]:
     sections = ("bodies", "points", "pins", "structures", "outputs", "references", "controllers")
     content = {**{section: {} for section in sections}, **content}
     yield from _unknown(content)
-    followed = {each.get("reference") for each in content["controllers"].values()}
+    followed = [each.get("reference") for each in content["controllers"].values()]
     yield from _not_followed(content["references"], followed)
 
 
@@ -68,10 +68,10 @@ def _are_words(value: object) -> bool:
     return isinstance(value, list | tuple) and all(isinstance(each, str) for each in value)
 
 
-def _not_followed(references: Mapping[str, Any], followed: Set[object]) -> Iterator[Problem]:
+def _not_followed(references: Mapping[str, Any], followed: Sequence[object]) -> Iterator[Problem]:
     for name, entries in references.items():
         written = any(isinstance(each, str) for each in entries.values())
-        if written and name not in followed and followed <= {None, *references}:
+        if written and name not in followed and all(each in (None, *references) for each in followed):
             reason = f"no controller follows it, so its unit is not known; write reference = {name!r}"
             yield Problem(("references", name), reason)
 
