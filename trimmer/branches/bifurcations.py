@@ -116,10 +116,10 @@ def _values(arc: Arc, place: Place) -> tuple[float, ...]:
     Raises:
         LostError: if there is no one tangent.
     """
-    tangent = place.tangent(arc.direction)
-    if tangent is None:
+    values = place.tests(arc.direction)
+    if values is None:
         raise LostError
-    return float(tangent[-1]), place.doubling, place.orientation(tangent), place.torus
+    return values
 
 
 def _test(arc: Arc, kind: SpecialKind) -> Callable[[Place], float]:

@@ -106,7 +106,7 @@ class Place:
         return frozenset((key, count) for key, count in self.passage.signature.items() if count)
 
     @cached_property
-    def _along(self) -> tuple[Reals, float] | None:
+    def along(self) -> tuple[Reals, float] | None:
         """A unit vector along the branch, (n + 1,), and the determinant of slope and it; None if singular."""
         if self.known is not None:
             return self._rescaled(self.known)
@@ -124,9 +124,9 @@ class Place:
 
         What scales the rows of the slope scales its columns inversely, so that only the length counts.
         """
-        if known._along is None:
+        if known.along is None:
             return None
-        along, turn = known._along
+        along, turn = known.along
         along = along.copy()
         along[:-1] *= known.problem.sizes / self.problem.sizes
         length = float(np.linalg.norm(along))
@@ -134,11 +134,21 @@ class Place:
 
     def tangent(self, reference: Reals) -> Reals | None:
         """Return the unit tangent, shape (n + 1,), that points along a reference; None if there is no one."""
-        if self._along is None:
+        if self.along is None:
             return None
-        along, _ = self._along
+        along, _ = self.along
         ahead = float(along @ reference)
         return along * math.copysign(1.0, ahead) if ahead else None
+
+    def tests(self, reference: Reals) -> tuple[float, float, float, float] | None:
+        """Return the last entry of the tangent, ``doubling``, ``orientation`` and ``torus``."""
+        if self.along is None:
+            return None
+        along, turn = self.along
+        ahead = float(along @ reference)
+        sign = math.copysign(1.0, ahead)
+        orientation = sign * float(along @ along) * turn
+        return (sign * float(along[-1]), self.doubling, orientation, self.torus) if ahead else None
 
     @cached_property
     def doubling(self) -> float:
@@ -169,7 +179,7 @@ class Place:
         another branch crosses.
         """
         # What the tangent has of the rows of the slope adds nothing to it.
-        along, turn = self._along or (tangent, 0.0)
+        along, turn = self.along or (tangent, 0.0)
         return float(along @ tangent) * turn
 
     def correction(self, normal: Reals, offset: float) -> Reals | None:
@@ -223,7 +233,7 @@ class Problem:
         except TrimmerError:
             return None
         place = Place(self, position, passage)
-        return place if np.isfinite(place.jacobian).all() and np.isfinite(place.miss).all() else None
+        return place if math.isfinite(place.error) and math.isfinite(place.jacobian.sum()) else None
 
     def adopted(self, place: Place) -> Place:
         """Return a place of the same problem with other sizes of the states as one of this problem."""

@@ -403,6 +403,8 @@ class MechanismFlow(Flow):
     def is_alike(self, other: Flow) -> bool:
         """Say whether another mechanism has the same states and parts, and the same leaders."""
         own, layout = self.modes.system.layout, other.modes.system.layout
+        if own is layout:
+            return True
         alike = (layout.size, layout.contacts, layout.frictions, layout.curves, layout.walls) == (
             *(own.size, own.contacts, own.frictions, own.curves, own.walls),
         )

@@ -41,20 +41,19 @@ class DrivenPassage:
     begin: Instant
     course: Course
 
-    @property
-    def sign(self) -> Reals:
-        """Return what the entries of the end are multiplied by, shape (n,)."""
-        return self.flow.mirrored_states if self.map.mirrored else np.ones(self.flow.size)
+    def returned(self, values: Reals) -> Reals:
+        """Return what belongs to the entries of the end, (n, ...), with their signs in a mirrored map."""
+        return (self.flow.mirrored_states * values.T).T if self.map.mirrored else values
 
-    @property
+    @cached_property
     def end(self) -> Reals:
         """State at the end, shape (n,)."""
-        return self.sign * self.course.end.state
+        return self.returned(self.course.end.state)
 
     @cached_property
     def jacobian(self) -> Reals:
         """Derivative of the end by the state, n x n."""
-        return self.sign[:, None] * self.course.monodromy
+        return self.returned(self.course.monodromy)
 
     @property
     def monodromy(self) -> Reals:
@@ -146,7 +145,7 @@ class DrivenPassage:
         if not self.map.share:
             return state
         (strobed,) = self.course.states(np.array([(self.map.length - self.map.share) * self.flow.period]))
-        return np.asarray(self.sign * strobed[: len(state)])
+        return self.returned(strobed[: len(state)])
 
     def restart(self, tangent: Reals) -> Restart | None:
         """Return the orbit as one that begins amid a long segment; None if it does, or if nothing happens.
@@ -164,11 +163,11 @@ class DrivenPassage:
         share = (begun + amid_longest(times, root.length * period) / period) % root.length
         ahead = share - begun if share >= begun else share - begun + self.map.length
         course = self.flow.timed(self.begin, ahead * period)
-        sign = np.ones(self.flow.size) if share >= begun else self.sign
-        moved = course.tangents(tangent[:-1, None])[:, 0] + tangent[-1] * self.rate_of(course)
-        return Restart(
-            self.map.begun_at(share), sign * course.end.state, np.append(sign * moved, tangent[-1])
-        )
+        state, moved = course.end.state, course.tangents(tangent[:-1, None])[:, 0]
+        moved = moved + tangent[-1] * self.rate_of(course)
+        if share < begun:
+            state, moved = self.returned(state), self.returned(moved)
+        return Restart(self.map.begun_at(share), state, np.append(moved, tangent[-1]))
 
     @cached_property
     def middle(self) -> Reals | None:
@@ -181,7 +180,7 @@ class DrivenPassage:
 
     @cached_property
     def _rate(self) -> Reals:
-        return self.sign * self.rate_of(self.course)
+        return self.returned(self.rate_of(self.course))
 
     def rate_of(self, course: Course) -> Reals:
         """Return the derivative of the end of the motion, or of a first part of it, by the number, (n,).

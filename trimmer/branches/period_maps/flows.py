@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from trimmer.branches.period_maps.value_rate import Slopes
+from trimmer.branches.period_maps.value_rate import Slopes, changing
 from trimmer.errors import TrimmerError
 from trimmer.hybrid.affine_modes import AffineModes
 from trimmer.hybrid.system import System
@@ -51,7 +51,7 @@ class _Family:
             flow = modes.change("flow") / by
             found = Slopes(
                 flow,
-                np.array([each.any() for each in flow], dtype=np.int64),
+                np.array(list(map(changing, modes.first.tables.flow, flow)), dtype=np.int64),
                 modes.change("hold") / by,
                 np.ascontiguousarray(modes.change("taylor")[..., 0]) / by,
                 modes.change("decayed") / by,

@@ -18,7 +18,7 @@ import numpy as np
 from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.clock import TICKED, Clock, carried, instant_of
 from trimmer.hybrid.compilation import compiled, kept, merged, sources
-from trimmer.hybrid.linear_combination import combine, copy
+from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms
 from trimmer.hybrid.propagation import (
     SEVERAL,
     Room,
@@ -37,13 +37,16 @@ from trimmer.hybrid.variation import Jump, end_of_instant, identity, jumps
 from trimmer.hybrid.work import Log
 from trimmer.motion.course import Course
 
+CHANGES, PUSHED = 1, 2
+"""How a flow changes with a number."""
+
 
 class Slopes(NamedTuple):
     """Derivatives of the equations of modes by a number; first axis: the mode, or the reset.
 
     Attributes:
         flow: Of the flow, (modes, N, N).
-        flows: Whether that changes, (modes,).
+        flows: Whether that changes, ``CHANGES`` or, in columns of what stays alone, ``PUSHED``, (modes,).
         hold: Of what makes the state fit what is held, transposed, (modes, N, N).
         functions: Of the event functions, (modes, functions, N).
         decayed: Of the rates of states that decay by themselves, (modes, m).
@@ -56,6 +59,14 @@ class Slopes(NamedTuple):
     functions: Reals
     decayed: Reals
     resets: Reals
+
+
+def changing(flow: Reals, change: Reals) -> int:
+    """Return how a flow, (N, N), changes, whose derivative is given; what nothing moves has rows of zeros."""
+    columns = change.any(axis=0)
+    if not columns.any():
+        return 0
+    return CHANGES if flow[columns].any() or change[columns].any() else PUSHED
 
 
 @compiled
@@ -97,6 +108,32 @@ def _step(
             tangent[i] += y[i]
 
 
+@compiled
+def _push(
+    screen: Reals,
+    series: Reals,
+    step: float,
+    parts: tuple[int, float, int],
+    vector: Reals,
+    rates: Reals,
+    room: Room,
+) -> None:
+    """Follow a vector, (N,), that constant rates push, with the fraction of a step last."""
+    size, added, terms = vector.size, room.there, room.terms
+    steps, fraction, _ = parts
+    for k in range(steps + 1):
+        share, most = (1.0, series.shape[1] // size) if k < steps else (fraction, parts[2])
+        if k == 0 or k == steps:
+            combine(rates, series, most * size, terms)
+            for term in range(most):
+                for i in range(size):
+                    terms[term * size + i] *= share * step / (term + 1)
+            evaluate_terms(terms, most, share, added)
+        fly(screen, series, (1, 0.0, 1) if k < steps else (0, fraction, most), vector, terms)
+        for i in range(size):
+            vector[i] += added[i]
+
+
 @merged
 def _go_on(
     tables: Tables, slopes: Slopes, mode: int, duration: float, both: Reals, room: Room, terms: Reals
@@ -104,7 +141,7 @@ def _go_on(
     """Follow a state and its derivative, (2, N), over a duration, s; what decays does so by itself."""
     now, state, tangent = tables.settled[mode], both[0], both[1]
     parts = parted(tables.step[now], tables.terms[now], duration)
-    if slopes.flows[now]:
+    if slopes.flows[now] == CHANGES:
         steps, fraction, count = parts
         size = state.size
         flow, change = terms[4 : 4 + size], terms[4 + size :]
@@ -116,8 +153,16 @@ def _go_on(
             most = tables.terms[now, 0] if k < steps else count
             _step(flow, change, length, most, state, tangent, terms)
     else:
-        fly(tables.screen[now], tables.series[now], parts, state, room.terms)
-        fly(tables.screen[now], tables.series[now], parts, tangent, room.terms)
+        screen, series = tables.screen[now], tables.series[now]
+        if slopes.flows[now] == PUSHED:
+            for i in range(state.size):
+                room.here[i] = 0.0
+                for j in range(state.size):
+                    room.here[i] += slopes.flow[now, i, j] * state[j]
+            _push(screen, series, tables.step[now], parts, tangent, room.here, room)
+        else:
+            fly(screen, series, parts, tangent, room.terms)
+        fly(screen, series, parts, state, room.terms)
     for part in range(tables.decaying_state.size):
         rate = tables.decayed[now, part]
         if rate > 0.0:
@@ -270,7 +315,8 @@ class ValueChange:
         for number in _met(modes, log):
             own, other = modes[number], self.other.mode(modes[number].statuses)
             slopes.flow[number] = (other.flow - own.flow) / self.step
-            slopes.flows[number] = tables.rows is not None or slopes.flow[number].any()
+            change = slopes.flow[number]
+            slopes.flows[number] = CHANGES if tables.rows is not None else changing(own.flow, change)
             slopes.hold[number] = (other.hold - own.hold).T / self.step
             pairs = zip(own.functions, other.functions, strict=True)
             for function, (one, another) in enumerate(pairs):
