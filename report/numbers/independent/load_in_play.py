@@ -63,7 +63,6 @@ def contact_after_flight(load: float, play: float, separation: float) -> float:
     def meets(phase: float, state: list[float]) -> float:
         return state[0] - math.sin(phase) - play / 2
 
-    meets.terminal = True  # type: ignore[attr-defined]
     flight = solve_ivp(
         lambda _, state: [state[1], -state[1] / load],
         (separation, separation + math.pi),

@@ -17,6 +17,7 @@ from trimmer.command_line.signals.overlay_text import line_json, line_rows
 from trimmer.command_line.signals.recording_text import notes_of, recording_json, signal_json, wrapped
 from trimmer.command_line.signals.signal_options import ChosenRecording
 from trimmer.command_line.table import table
+from trimmer.motion.units import with_unit
 from trimmer.showing.shown import counted
 from trimmer.signals.wav import WavFile
 from trimmer.spectra.analysis import SpectrumAnalysis
@@ -162,12 +163,12 @@ def _harmonics(fit: HarmonicFit, unit: str) -> Iterator[str]:
         if amplitude > _SMALLEST_HARMONIC * largest
     ]
     yield f"Harmonics of the drive at {fit.frequency:.9g} Hz, by least squares with Hann weights"
-    yield from table(("order", "Hz", _with_unit("amplitude", unit), "phase, deg"), rows)
+    yield from table(("order", "Hz", with_unit("amplitude", unit), "phase, deg"), rows)
     yield f"  they explain {100 * fit.explained:.4g} % of the variance; {fit.residual:.3g} rms is left"
 
 
 def _peaks(analysis: SpectrumAnalysis) -> Iterator[str]:
-    amplitude = _with_unit("amplitude", analysis.signal.unit)
+    amplitude = with_unit("amplitude", analysis.signal.unit)
     reference, drive = LEVELS.get(analysis.signal.unit), analysis.harmonics
     level = () if reference is None else (f"dB re {reference:g} {analysis.signal.unit}",)
     order = () if drive is None else ("order",)
@@ -277,10 +278,6 @@ def _second_cells(classified: ClassifiedPeak) -> tuple[str, str]:
         return _match_cells(classified.second, "")
     label, distance = _match_cells(min(classified.candidates, key=lambda match: abs(match.distance)), "")
     return f"nearest: {label}", distance
-
-
-def _with_unit(text: str, unit: str) -> str:
-    return f"{text}, {unit}" if unit else text
 
 
 def _listed(frequencies: Iterable[float]) -> str:
