@@ -36,8 +36,8 @@ def answers(known: Evidence) -> tuple[Answer, ...]:
         _answer(
             "How does damping influence the linear stability?",
             """
-            Damping raises the peaks at the resonances and leaves their frequencies, far below the operating
-            one.
+            By chapter 7 damping raises the peaks at the resonances and leaves their frequencies, far below
+            the operating one. By section 5.1.3 it lowers the peaks, and the frequencies lie far above.
             """,
             """
             Damping lowers the peaks; the frequencies hardly change. The trimmer is stable with any positive

@@ -12,6 +12,7 @@ def balance(known: Evidence) -> tuple[Matter, ...]:
     """Return the matters in the order of the thesis, with the numbers as solved."""
     stable = known.cycles.friction.stable
     per_gap = known.cycles.equivalent.in_place.merger.force_per_gap
+    error = abs(known.orbits.friction.stable.amplitude_error)
     in_place, small = per_gap * EXPERIMENT_GAP, per_gap * SMALL_GAP
     return (
         _matter(
@@ -19,7 +20,7 @@ def balance(known: Evidence) -> tuple[Matter, ...]:
             "Equations of motion, state space and transfer function are right, and so are the eight "
             "eigenvalues: it is stable. One mode does not show in the response.",
             ("eq-2.9", "eq-5.2", "txt-5.1.2-order", "txt-5.1.3-hidden-peak"),
-            "The response falls by 40 dB per decade, not by 60. Damping lowers the peaks. The resonances lie "
+            "The response falls by 40 dB per decade, not by 20. Damping lowers the peaks. The resonances lie "
             "above the drive, where its harmonics meet them, not below.",
             ("txt-5.1.2-roll-off", "txt-7-damping", "txt-7-operating-frequency"),
         ),
@@ -37,7 +38,7 @@ def balance(known: Evidence) -> tuple[Matter, ...]:
             "Limit cycles of the loop",
             "There are two. The larger is stable, with an amplitude in proportion to the gap, at a frequency "
             f"of {stable.frequency:.0f} to {known.cycles.inertia.stable.frequency:.0f} Hz that depends on "
-            "the load.",
+            f"the load. The describing function gives the amplitude of the larger to {error:.1%}.",
             (
                 "txt-5.2.1-proportional",
                 "fig-5.10",

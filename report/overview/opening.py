@@ -13,7 +13,7 @@ BOUND = 1.0
 
 SENTENCES = (
     "The trimmer was computed again, with a bridge that pushes back on the motor. There play brings "
-    "harmonics of the drive, subharmonics, chaos."
+    "harmonics of the drive, subharmonics and chaos."
 )
 
 

@@ -77,17 +77,18 @@ def of_check(check: CellCheck) -> ObservationRecord:
     """Return the observation that says which cells were computed again, and how they came out."""
 
     def items(_: Evidence) -> Observed:
+        by_rounding = f", {check.by_rounding} of them only from a start a nanometre beside rest"
         others = f"""
 
-            Others came out as something else: {"; ".join(check.others)}. Kept or now they do not repeat, and
-            how a long transient ends depends on rounding.
+            Not so came out: {"; ".join(check.others)}. There the kept motion or the new one does not repeat,
+            and how a long transient ends depends on rounding.
         """
         yield text(f"""
             The maps are kept with the code, with the hash of mechanism, places, values and settings. This
             build has drawn {check.drawn} of their {check.total} cells at random (seed {check.seed}, which
             changes with the code and with the data) and computed them again:
-            {check.drawn - len(check.others)} came out as kept. Of these, {check.by_rounding} did so only
-            from a start a nanometre beside rest.{others if check.others else ""}
+            {check.drawn - len(check.others)} came out as kept{by_rounding if check.by_rounding else ""}.
+            {others if check.others else ""}
         """)
         yield so(
             "kind, number of drive periods, stroke, accelerations, wear, impacts and second harmonic of each "

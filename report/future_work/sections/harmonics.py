@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from report.data.figures import figure
+from report.judging.comparisons.printed import power_of
 from report.judging.parts import close, small, so
 from report.judging.record import text
 from report.numbers.evidence import Evidence
@@ -53,7 +54,9 @@ def shares_of_band() -> Reals:
     )
 
 
-@observation("future-harmonics-answer", source=NUMBERS, title="Little, and the third harmonic says how much.")
+@observation(
+    "future-harmonics-answer", source=NUMBERS, title="They change little, and the third says how much."
+)
 def answer(_: Evidence) -> Observed:
     exact, first, third, *_rest = of("friction", True)
     band = BAND * abs(third - first)
@@ -66,7 +69,8 @@ def answer(_: Evidence) -> Observed:
         again as the third harmonic changes is a band, here {first[1]:.2f} ± {band[1]:.2f} Hz and
         {first[2]:.3f} ± {band[2]:.3f} gaps, that holds the exact value of all four limit cycles. The
         describing function errs most, by {largest:.0%}, in the amplitude of the unstable one with
-        inertia-controlled play. With harmonics up to the ninth all frequencies are right to {ninth:.0e}.
+        inertia-controlled play. With harmonics up to the ninth the relative error of all frequencies is at
+        most ${power_of(ninth)}$.
     """)
     yield so("frequency and amplitude of four exact orbits lie in the bands", shares_of_band().max() < BAND)
 

@@ -49,7 +49,11 @@ def imbalance(time: float, frequency: float, amplitude: float) -> float:
     return float(abs(1 + gain * (moved[1] - moved[3])))
 
 
-@observation("future-load-answer", source=NUMBERS, title="It does, in a narrow band and with a long record.")
+@observation(
+    "future-load-answer",
+    source=NUMBERS,
+    title="A frequency tells it, in a narrow band and with a long record.",
+)
 def answer(_: Evidence) -> Observed:
     stable = curves(True)
     short, longer = interval(EXAMPLE, RECORDS[0]), interval(EXAMPLE, RECORDS[1])

@@ -60,7 +60,9 @@ def strongest(factor: float, column: int) -> list[tuple[str, float]]:
     return sorted(((row[0], row[column]) for row in rows), key=lambda each: -abs(each[1]))
 
 
-@observation("future-scatter-answer", source=NUMBERS, title="Nearly all have one; the bridge decides.")
+@observation(
+    "future-scatter-answer", source=NUMBERS, title="Nearly all sets have a limit cycle; the bridge decides."
+)
 def answer(known: Evidence) -> Observed:
     counts = {factor: int(has_one(factor).sum()) for factor in FACTORS}
     narrow, bridge, one = frequencies(NARROW), bridges(WIDEST), has_one(WIDEST)

@@ -101,8 +101,8 @@ def balance(known: Evidence) -> Observed:
         Harmonic balance with play and friction each in its place, as in [figure 5.24b](#fig-5.24), puts the
         fold at {fold:.4f} N, {fold / loop.largest_force - 1:.2%} too high. Up to nine tenths of that friction
         its amplitudes are within {amplitude:.1%} and its frequencies within {frequency:.1%} of the exact
-        ones. Besides the fold no special point was found: unlike in the driven trimmer no torus parts and no
-        period doubles, and cutter and guard never stick. A period has two impacts, two separations and two
+        ones. Besides the fold no special point was found: unlike in the driven trimmer no torus branches off,
+        no period doubles, and cutter and guard never stick. A period has two impacts, two separations and two
         turns of the friction.
     """)
     yield so("the fold of the exact orbits lies below", loop.largest_force < fold)

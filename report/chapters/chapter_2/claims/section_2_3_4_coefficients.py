@@ -147,7 +147,7 @@ def sine_integrals(_: Evidence) -> Record:
     moving = Term(A / 4 * (-4 * root + 2 * angle + sympy.pi), rf"\frac{{1}}{{4}} A \left({bracket}\right)")
     yield from integrals(SINE, held, moving)
     yield text("""
-        All integrands and values are right. The resting pieces have their right signs here, other than in
+        All integrands and values are right. The resting pieces have their right signs here, unlike in
         equations [2.36](#eq-2.36) and [2.37](#eq-2.37).
     """)
 

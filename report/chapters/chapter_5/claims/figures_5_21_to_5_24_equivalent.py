@@ -92,7 +92,7 @@ def one_force(known: Evidence) -> Record:
         The one intersection comes from line 18 of Listing A.6. It is gone with the right friction term
         ({len(numbers.over_stiffness)} limit cycles), with the sign of that line turned
         ({len(numbers.sign_turned)}), and with the pin's velocity as second input ({both}). For this gap a
-        limit cycle bears at most {numbers.force_of_merger:.4f} N between cutter and guard; the force in the
+        limit cycle lasts up to {numbers.force_of_merger:.4f} N between cutter and guard; the force in the
         caption is {FORCE / numbers.force_of_merger:.0f} times as large.
 
         The peaks of part b are free vibrations of the loop, [as in the text](#txt-5.2.5-fft): for a start

@@ -61,7 +61,7 @@ def time_response(known: Evidence) -> Record:
     lag = -math.degrees(steady_state(numbers.displacement_only, DRIVE_OMEGA, DRIVE_AMPLITUDE).phase)
     yield text(f"""
         For the settled motion the statement holds to the printed digits. For the quoted command, which starts
-        from rest, it does not: the start excites the natural modes, and the slowest of them decays with
+        from rest, it does not: the start excites the natural modes, and the slowest of them decays at
         {slowest:.0f}/s, so it shows for several periods. After that the output lags by {lag:.2f} degrees.
 
         No prediction changes. The spectrum of such a run has peaks at the natural frequencies that no

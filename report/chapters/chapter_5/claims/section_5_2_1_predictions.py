@@ -131,7 +131,7 @@ def stability(known: Evidence) -> Record:
     yield text(f"""
         A larger amplitude moves $-1/N$ out of the locus, so the oscillation shrinks again; a smaller one
         grows. That is the thesis's own argument on the describing function, and the multipliers of the exact
-        limit cycle agree. Disturbances decay slowly, with {-math.log(largest) / orbit.period:.0f}/s.
+        limit cycle agree. Disturbances decay slowly, at {-math.log(largest) / orbit.period:.0f}/s.
         {orbit_is_proven("thesis-stable-orbit", orbit)}
     """)
 

@@ -114,7 +114,7 @@ def peak(known: Evidence) -> Record:
         No open loop holds a limit cycle, and this one has no line at 659 Hz. The number comes out with the
         block of Listing A.8 in a closed loop and the drive as reference: over 0.1 s from rest the largest
         line beside multiples of 100 Hz stands at {read:.1f} Hz, with {1e6 * size:.0f} µm. It is a free motion
-        of {shown[best]:.2f} Hz that dies out with {decay[best]:.0f}/s. The limit cycle of inertia-controlled
+        of {shown[best]:.2f} Hz that dies out at {decay[best]:.0f}/s. The limit cycle of inertia-controlled
         backlash is at {known.orbits.inertia.stable.frequency:.2f} Hz.
 
         The error of 23.47 % compares a prediction with an artefact of the block.

@@ -167,9 +167,9 @@ def peak_parts(known: Evidence, prefix: str = "") -> tuple[ClaimPart, ...]:
         f"with {FORCE} N of friction the loop has a limit cycle, which shows there",
         left > DIED_OUT,
         f"""
-        the motion dies out: at the end of the record less than {power_of(DIED_OUT)} of the start is left. A
-        gap of 4 µm bears {known.cycles.equivalent.force_of_merger:.3f} N at most; the peak is the third
-        natural mode of the loop, {numbers.modes[2]:.2f} Hz
+        the motion dies out: at the end of the record less than {power_of(DIED_OUT)} of the start is left.
+        With a gap of 4 µm a limit cycle lasts up to {known.cycles.equivalent.force_of_merger:.3f} N;
+        the peak is the third natural mode of the loop, {numbers.modes[2]:.2f} Hz
         """,
         method="exact simulation with true stick",
         second=so("harmonic balance over all forces", branch.limit_cycles(FORCE / SMALL_GAP) == 0),
