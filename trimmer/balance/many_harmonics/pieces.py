@@ -7,10 +7,9 @@ from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
-import scipy.optimize
 
 from trimmer.arrays import Reals
-from trimmer.balance.many_harmonics.trigonometric import POINTS, OddPolynomial
+from trimmer.balance.many_harmonics.trigonometric import POINTS, OddPolynomial, passes
 from trimmer.loops.components.corner_component import ABOVE, BELOW, BETWEEN, CornerComponent
 from trimmer.loops.components.switched_component import Component
 from trimmer.loops.components.threshold_component import NEGATIVE, POSITIVE, SILENT, ThresholdComponent
@@ -27,7 +26,7 @@ def corner_pieces(component: CornerComponent, given: OddPolynomial) -> list[Piec
         return component.inner_slope * inside + component.outer_slope * (place - inside)
 
     limits = (component.threshold, -component.threshold)
-    cuts = sorted({0.0, math.pi, *(cut for limit in limits for cut in _passes(given, limit))})
+    cuts = sorted({0.0, math.pi, *(cut for limit in limits for cut in passes(given, limit))})
     return [(begin, end, output) for begin, end in pairwise(cuts)]
 
 
@@ -47,11 +46,11 @@ def switching_phases(component: ThresholdComponent, given: OddPolynomial) -> tup
     phases = np.linspace(0.0, 2.0 * math.pi, POINTS)
     lowest = float(phases[np.argmin(given(phases))])
     # From there on the input first rises through a limit that is above it.
-    passes = _passes(given, component.on, lowest, 2.0 * math.pi)
-    if not passes:
+    rises = passes(given, component.on, lowest, 2.0 * math.pi)
+    if not rises:
         return None
-    rise = passes[0]
-    falls = _passes(given, component.off, rise, 2.0 * math.pi)
+    rise = rises[0]
+    falls = passes(given, component.off, rise, 2.0 * math.pi)
     fall = next((place for place in falls if given(place, 1) < 0), None)
     return None if fall is None else (rise, fall)
 
@@ -69,21 +68,3 @@ def mode_on(component: Component, given: OddPolynomial, phase: float) -> int:
     rise, fall = switches
     since, length = (phase - rise) % (2.0 * math.pi), fall - rise
     return POSITIVE if since < length else NEGATIVE if 0 <= since - math.pi < length else SILENT
-
-
-def _passes(given: OddPolynomial, limit: float, begin: float = 0.0, span: float = math.pi) -> list[float]:
-    """Return the phases from ``begin`` on at which the input passes a limit."""
-    phases = np.linspace(begin, begin + span, POINTS)
-    values = given(phases) - limit
-    places = np.flatnonzero((values[:-1] > 0) != (values[1:] > 0))
-
-    def beyond(phase: float) -> float:
-        return float(given(phase)) - limit
-
-    def root(first: float, last: float) -> float:
-        # A zero at one end may have another sign there when it is evaluated alone.
-        if beyond(first) * beyond(last) >= 0:
-            return first if abs(beyond(first)) < abs(beyond(last)) else last
-        return float(scipy.optimize.brentq(beyond, first, last, xtol=1e-15))
-
-    return [root(float(phases[k]), float(phases[k + 1])) for k in places]

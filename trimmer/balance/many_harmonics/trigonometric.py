@@ -60,15 +60,26 @@ def sign_changes(given: OddPolynomial, derivative: int = 0) -> list[float]:
     """Return the phases from 0 to below pi at which a polynomial, or a derivative of it, changes its sign."""
     phases = np.linspace(0.0, np.pi, POINTS)
     values = given(phases, derivative)
+    if values[0] == 0:  # Just before phase 0 it has the sign that it has not just before pi.
+        values[0] = -values[-2]
     values[-1] = -values[0]
+    return _zeros(lambda phase: float(given(phase, derivative)), phases, values)
+
+
+def passes(given: OddPolynomial, limit: float, begin: float = 0.0, span: float = np.pi) -> list[float]:
+    """Return the phases from ``begin`` on, rad, at which a polynomial passes a limit, in its unit."""
+    phases = np.linspace(begin, begin + span, POINTS)
+    return _zeros(lambda phase: float(given(phase)) - limit, phases, given(phases) - limit)
+
+
+def _zeros(at: Callable[[float], float], phases: Reals, values: Reals) -> list[float]:
+    """Return where a function passes zero, from its values at phases."""
+
+    def root(first: float, last: float) -> float:
+        # A zero at one end may have another sign there when it is evaluated alone.
+        if at(first) * at(last) >= 0:
+            return first if abs(at(first)) < abs(at(last)) else last
+        return float(scipy.optimize.brentq(at, first, last, xtol=1e-15))
+
     places = np.flatnonzero((values[:-1] > 0) != (values[1:] > 0))
-
-    def at(phase: float) -> float:
-        return float(given(phase, derivative))
-
-    return [
-        float(scipy.optimize.brentq(at, float(phases[k]), float(phases[k + 1]), xtol=1e-15))
-        if at(float(phases[k])) * at(float(phases[k + 1])) < 0
-        else float(phases[k])
-        for k in places
-    ]
+    return [root(float(phases[k]), float(phases[k + 1])) for k in places]
