@@ -50,7 +50,6 @@ class Run:
         left, right: Columns of its ends; 0 is the left wall, bodies count from 1, the last is the right wall.
         lane: Its lane; higher ones are above.
         turned: Whether its second end is the left one.
-        crosses: Whether it passes through a body, as no free lane was found.
     """
 
     joint: Joint
@@ -58,7 +57,6 @@ class Run:
     right: int
     lane: int
     turned: bool
-    crosses: bool = False
 
 
 @dataclass(frozen=True)
@@ -82,11 +80,22 @@ class DiagramLayout:
         return any(run.left == 0 for run in self.runs), any(run.right == last for run in self.runs)
 
     @property
+    def crossings(self) -> tuple[tuple[Run, str], ...]:
+        """Each part that passes through a body, as no free lane was found for it or for another, and this."""
+        spans = [(column, body, *self.spans[body]) for column, body in enumerate(self.bodies, start=1)]
+        return tuple(
+            (run, body)
+            for run in self.runs
+            for column, body, low, high in spans
+            if run.left < column < run.right and low <= run.lane <= high
+        )
+
+    @property
     def cost(self) -> int:
-        """How far parts reach, how many lanes there are, and how many bodies are crossed."""
+        """How far parts reach, how many lanes there are, and how often a body is crossed."""
         lanes = {run.lane for run in self.runs}
-        crossed = sum(run.crosses for run in self.runs)
-        return sum(run.right - run.left for run in self.runs) + 2 * len(lanes) + CROSSING * crossed
+        reach = sum(run.right - run.left for run in self.runs)
+        return reach + 2 * len(lanes) + CROSSING * len(self.crossings)
 
 
 def layout_of(mechanism: Mechanism) -> DiagramLayout:
@@ -194,8 +203,8 @@ class _Lanes:
         """Put a part into the first lane that is free for it."""
         lanes = sorted(range(-FARTHEST, FARTHEST + 1), key=lambda lane: (abs(lane), lane < 0))
         free = [lane for lane in lanes if self._is_empty(lane, left, right)]
-        lane = next((each for each in free if self._fits(each, joint, left, right)), None)
-        run = Run(joint, left, right, free[0] if lane is None else lane, turned, lane is None)
+        lane = next((each for each in free if self._fits(each, joint, left, right)), free[0])
+        run = Run(joint, left, right, lane, turned)
         self.taken.append(run)
         for body in set(joint.carriers) & set(self.columns):
             low, high = self.covered.get(body, (run.lane, run.lane))
