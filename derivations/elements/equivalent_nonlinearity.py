@@ -29,7 +29,7 @@ def loop() -> sympy.Expr:
 
 def equivalent() -> sympy.Expr:
     """Return N_eq, for which the loop is 1 + N_eq G_m G_g (thesis, equations 2.57 and 2.58)."""
-    return sympy.expand((loop() - 1) / (PLANT * FILTER))
+    return (loop() - 1) / (PLANT * FILTER)
 
 
 def friction_term() -> sympy.Expr:

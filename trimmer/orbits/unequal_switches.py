@@ -81,7 +81,7 @@ def _switching(equation: HalfPeriodEquation, long: Reals, short: Reals) -> Reals
 def _cells(values: Reals) -> list[tuple[int, int]]:
     """Return the cells below the diagonal in which both functions change their signs."""
     corners = np.stack([values[:-1, :-1], values[1:, :-1], values[:-1, 1:], values[1:, 1:]])
-    lowest, highest = np.fmin.reduce(corners, axis=0), np.fmax.reduce(corners, axis=0)
+    lowest, highest = np.fmin.reduce(corners), np.fmax.reduce(corners)
     both = ((lowest <= 0) & (highest >= 0)).all(axis=-1)
     return [(int(i), int(j)) for i, j in zip(*np.nonzero(both), strict=True) if i >= j]
 

@@ -73,6 +73,15 @@ def test_the_thesis_has_its_two() -> None:
     assert found.exists.tolist() == [True]
 
 
+def test_what_the_base_is_does_not_matter_where_every_parameter_is_sampled() -> None:
+    samples, gaps = random_samples(6, 5, 0.2)
+    undamped = TrimmerParameters(**{**THESIS, "c1": 0.0, "c2": 0.0, "c3": 0.0, "c4": 0.0})
+    found, others = (sampled_limit_cycles(samples, gap=gaps, base=base) for base in (None, undamped))
+    assert found.count.tolist() == others.count.tolist()
+    np.testing.assert_allclose(others.omega, found.omega, rtol=1e-9)
+    np.testing.assert_allclose(others.amplitude, found.amplitude, rtol=1e-8)
+
+
 def test_amplitudes_grow_with_the_gap_and_frequencies_do_not() -> None:
     samples, gaps = random_samples(3, 20, 0.2)
     first, second = (sampled_limit_cycles(samples, gap=factor * gaps) for factor in (1.0, 7.0))
