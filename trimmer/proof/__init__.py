@@ -4,7 +4,8 @@
 check imports nothing of the solvers: ``statement``, what a file is about; ``balls``, exact numbers;
 ``described``, describing functions; ``proportional`` and ``plane``, all solutions of harmonic balance;
 ``cycles`` holds a list against them; ``form``, whether a motion is told whole; ``following``, it in balls;
-``returning`` and ``between_events``, that it returns without other events.
+``returning`` and ``between_events``, that it returns without other events;
+``readings``, its extremes and means.
 """
 
 import lazy_loader

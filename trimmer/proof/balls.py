@@ -30,6 +30,13 @@ def about(radius: float | arb) -> arb:
     return hull(-arb(radius), arb(radius))
 
 
+def between(lower: arb, upper: arb, digits: int = 12) -> str:
+    """Say bounds to some digits, 12 or 15, rounded outwards by more than these leave out."""
+    share = arb(2) ** (3 - 10 * digits // 3)
+    told = float((lower - share * abs(lower)).lower()), float((upper + share * abs(upper)).upper())
+    return f"between {told[0]:.{digits}g} and {told[1]:.{digits}g}"
+
+
 def real(value: fmpq | int) -> arb:
     """Return an exact number as a ball."""
     return arb(value)

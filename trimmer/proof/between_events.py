@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
+from dataclasses import dataclass
 
 from flint import arb, arb_mat, arb_poly
 
@@ -30,31 +31,71 @@ def require_no_other_events(motion: BallMotion, over: Followed) -> None:
             raise RefutedError(f"the size {sizes[i]!r} of state {i} is none that the motion reaches")
 
 
+@dataclass(frozen=True)
+class Steps:
+    """Steps of one length over a segment.
+
+    Attributes:
+        duration: How long each is, s.
+        begun: Z at the start of each, and at the end of the last.
+        scales: Of Z, in which M has a small norm.
+        rate: That norm.
+    """
+
+    duration: arb
+    begun: list[arb_mat]
+    scales: list[arb]
+    rate: arb
+
+    def taylor(self, flow: arb_mat, z: arb_mat, step: arb, terms: int) -> tuple[list[arb_mat], arb_mat]:
+        """Return the terms of Z over a share of a step from Z, and how far their sum may be off."""
+        columns = [z]
+        for k in range(1, terms):
+            columns.append(flow * columns[-1] * (step / k))
+        largest = functools.reduce(arb.max, (abs(z[i, 0]) / each for i, each in enumerate(self.scales)))
+        reach = self.rate * abs(step)
+        off = (reach**terms / math.factorial(terms) * reach.exp() * largest).upper()
+        return columns, arb_mat([[each * off] for each in self.scales])
+
+
+def steps_over(motion: BallMotion, number: int, over: Followed) -> Steps:
+    """Divide a segment into steps so short that Taylor's polynomials hold over each."""
+    segment = motion.segments[number]
+    duration = segment.duration + over.lates[number]
+    if not duration > 0:
+        raise RefutedError(f"segment {number} ends before it begins")
+    scales, rate = _scales(motion, segment)
+    count = max(2, math.ceil(float((rate * duration).upper())))
+    if count > MOST_STEPS:
+        raise UndecidedError(f"segment {number} is too long for its fastest rate: {count} steps")
+    whole, passed = (segment.flow * (duration / count)).exp(), [over.starts[number]]
+    for _ in range(count):
+        require_time()
+        passed.append(whole * passed[-1])
+    return Steps(duration / count, passed, scales, rate)
+
+
+def takes_time(motion: BallMotion, number: int) -> bool:
+    """Say whether a segment is more than the instant of a clock at which a motion begins."""
+    segment = motion.segments[number]
+    return not (number == 0 and segment.at == 0 and segment.duration == 0)
+
+
 def _require_positive_between(motion: BallMotion, number: int, over: Followed) -> list[arb_mat]:
     """Enclose all event functions over a segment; return Z at some instants of it."""
     segment, end = motion.segments[number], over.ends[number]
-    duration = segment.duration + over.lates[number]
     _require_demands(segment, end, f"at the end of segment {number}")
-    if number == 0 and segment.at == 0 and segment.duration == 0:
+    if not takes_time(motion, number):
         return [end]
-    if not duration > 0:
-        raise RefutedError(f"segment {number} ends before it begins")
-    scaled = _scales(motion, segment)
-    count = max(2, math.ceil(float((scaled[1] * duration).upper())))
-    if count > MOST_STEPS:
-        raise UndecidedError(f"segment {number} is too long for its fastest rate: {count} steps")
-    step = duration / count
-    whole, passed = (segment.flow * step).exp(), [over.starts[number]]
+    steps = steps_over(motion, number, over)
     falling = () if segment.fired is None else (segment.fired, *_together(segment))
-    for place in range(count):
-        require_time()
-        zeros, left = ({} if place else segment.zeros), (falling if place == count - 1 else ())
-        _require_positive(motion, number, scaled, (passed[-1], step), zeros, left)
-        passed.append(whole * passed[-1])
+    for place, z in enumerate(steps.begun[:-1]):
+        zeros, left = ({} if place else segment.zeros), (falling if place == len(steps.begun) - 2 else ())
+        _require_positive(motion, number, steps, (z, steps.duration), zeros, left)
     if falling:
         others = tuple(k for k in range(segment.functions.nrows()) if k not in falling)
-        _require_positive(motion, number, scaled, (end, -step), dict.fromkeys(falling, 1), others)
-    return passed
+        _require_positive(motion, number, steps, (end, -steps.duration), dict.fromkeys(falling, 1), others)
+    return steps.begun
 
 
 def _scales(motion: BallMotion, segment: Segment) -> tuple[list[arb], arb]:
@@ -99,22 +140,17 @@ def _require_demands(segment: Segment, end: arb_mat, where: str) -> None:
 def _require_positive(
     motion: BallMotion,
     number: int,
-    scaled: tuple[list[arb], arb],
+    steps: Steps,
     begun: tuple[arb_mat, arb],
     zeros: dict[int, int],
     left: tuple[int, ...],
 ) -> None:
     """Enclose event functions, but for some that are left out, over a step from Z by Taylor's polynomials."""
-    segment, (scales, rate), (z, step) = motion.segments[number], scaled, begun
+    segment, (z, step) = motion.segments[number], begun
     if not segment.functions.nrows():
         return
-    columns = [z]
-    for k in range(1, TERMS):
-        columns.append(segment.flow * columns[-1] * (step / k))
-    largest = functools.reduce(arb.max, (abs(z[i, 0]) / each for i, each in enumerate(scales)))
-    reach = rate * abs(step)
-    off = (reach**TERMS / math.factorial(TERMS) * reach.exp() * largest).upper()
-    errors = moduli(segment.functions) * arb_mat([[each * off] for each in scales])
+    columns, off = steps.taylor(segment.flow, z, step, TERMS)
+    errors = moduli(segment.functions) * off
     for function in range(segment.functions.nrows()):
         if function in left:
             continue

@@ -102,7 +102,7 @@ def motion_data(course: Course, flow: Flow, periods: float) -> dict[str, Any]:
     layout, log = system.layout, course.log
     seen = Seen(log, course.modes, flow.modes)
     _require_covered(course, system)
-    rows = list(_rows(log))
+    rows = list(instants(log))
     n = layout.state_count
     segments: list[dict[str, Any]] = []
     largest = abs(log.state).max(axis=0)
@@ -112,7 +112,7 @@ def motion_data(course: Course, flow: Flow, periods: float) -> dict[str, Any]:
         largest[kind] = np.maximum(largest[kind], LEAST * largest[kind].max(initial=0.0))
     largest[:n] = np.where(largest[:n] > 0.0, largest[:n], LEAST * (largest[:n].max(initial=0.0) or 1.0))
     ends = [*(float(log.start[first]) for first, _ in rows[1:]), float(course.duration)]
-    used = _used(log)
+    used = modes_used(log)
     for place, ((first, last), end) in enumerate(zip(rows, ends, strict=True)):
         mode, following = seen.mode(last), None if place + 1 == len(rows) else rows[place + 1][0]
         fired = None if following is None else seen.fires(following)
@@ -162,19 +162,20 @@ def equations_data(course: Course, flow: Flow) -> dict[str, Any]:
     scale = system.layout.period / own.period if own.period else 1.0
     return {
         "modes": _modes(seen),
-        "resets": [_reset(seen, first, last).tolist() for first, last in _rows(course.log)],
+        "resets": [_reset(seen, first, last).tolist() for first, last in instants(course.log)],
         "forcing": system.layout.forcing_at(course.begin.phase * scale).tolist(),
         "period": float(system.layout.period) if own.period else None,
     }
 
 
-def _used(log: Any) -> list[int]:
-    return sorted({int(log.mode[last]) for _, last in _rows(log)})
+def modes_used(log: Any) -> list[int]:
+    """Return the numbers of the modes in which an orbit is for some time."""
+    return sorted({int(log.mode[last]) for _, last in instants(log)})
 
 
 def _modes(seen: Seen) -> list[dict[str, Any]]:
     n = seen.system.layout.state_count
-    modes = (seen.system.mode(seen.known[number].statuses) for number in _used(seen.log))
+    modes = (seen.system.mode(seen.known[number].statuses) for number in modes_used(seen.log))
     return [
         {
             "flow": mode.flow[:n].tolist(),
@@ -196,7 +197,7 @@ def _require_covered(course: Course, system: System) -> None:
         raise UndecidedError("forces that are no multiples of the drive are not covered")
 
 
-def _rows(log: Any) -> Iterator[tuple[int, int]]:
+def instants(log: Any) -> Iterator[tuple[int, int]]:
     """Yield the first and the last row of each instant at which something happens."""
     row = 0
     while row < len(log.start):

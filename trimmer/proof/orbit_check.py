@@ -6,14 +6,17 @@ returns (``returning``); then all event functions are enclosed over each segment
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from flint import arb, ctx
 
 from trimmer.proof.between_events import require_no_other_events
 from trimmer.proof.following import BY_LAW, RADIUS, BallMotion
 from trimmer.proof.form import require_form, require_rest_at_start, require_shortest
 from trimmer.proof.outcome import RefutedError, UndecidedError
+from trimmer.proof.readings import reading
 from trimmer.proof.returning import first_guess, first_step, multipliers_of, scales, solve
-from trimmer.proof.statement import Orbit
+from trimmer.proof.statement import Functional, Orbit, OrbitReadings
 
 NEAR = 1e-9
 """Distance from the computed motion, as a share of the size of each state, within which it is that."""
@@ -24,16 +27,21 @@ They grow by about a factor e with each step of 1/|M|.
 """
 
 
-def check_orbit(data: Orbit) -> str:
+def check_readings(data: OrbitReadings) -> str:
+    """Hold a periodic motion against the equations of its modes, and enclose what is read of it."""
+    return check_orbit(data.orbit, data.functionals)
+
+
+def check_orbit(data: Orbit, functionals: Sequence[Functional] = ()) -> str:
     """Hold a periodic motion against the equations of its modes; return the theorem."""
     *narrow, last = TRIES
     for bits, radius in narrow:
         try:
-            return _checked(data, bits, radius)
+            return _checked(data, functionals, bits, radius)
         except UndecidedError:
             with ctx.workprec(bits):
                 _require_alone(BallMotion(data.motion, data.equations))
-    return _checked(data, *last)
+    return _checked(data, functionals, *last)
 
 
 def _require_alone(motion: BallMotion) -> None:
@@ -46,7 +54,7 @@ def _require_alone(motion: BallMotion) -> None:
         raise UndecidedError("1 is a multiplier, to the digits of the motion: it may be one of a family")
 
 
-def _checked(data: Orbit, bits: int, radius: int) -> str:
+def _checked(data: Orbit, functionals: Sequence[Functional], bits: int, radius: int) -> str:
     with ctx.workprec(bits):
         motion = BallMotion(data.motion, data.equations)
         require_form(motion)
@@ -61,10 +69,11 @@ def _checked(data: Orbit, bits: int, radius: int) -> str:
         require_shortest(motion, found.over)
         stable, largest = multipliers_of(motion, found.over)
         if data.stable is not None and stable != data.stable:
-            told = {True: "stable", False: "unstable", None: "of undecided stability"}
+            words = {True: "stable", False: "unstable", None: "of undecided stability"}
             error = UndecidedError if stable is None else RefutedError
-            raise error(f"it is said to be {told[data.stable]}, and is {told[stable]}")
-        return _theorem(motion, data, stable, largest, radius)
+            raise error(f"it is said to be {words[data.stable]}, and is {words[stable]}")
+        told = "".join(reading(motion, found.over, each) for each in functionals)
+        return _theorem(motion, data, told, stable, largest, radius)
 
 
 def require_near(motion: BallMotion, unknown: list[arb], near: float) -> None:
@@ -94,7 +103,9 @@ def taken_as_zero(motion: BallMotion) -> str:
     )
 
 
-def _theorem(motion: BallMotion, data: Orbit, stable: bool | None, largest: str, radius: int) -> str:
+def _theorem(
+    motion: BallMotion, data: Orbit, told: str, stable: bool | None, largest: str, radius: int
+) -> str:
     """Say what is proven."""
     course, events = motion.course, len(motion.segments) - 1
     if motion.autonomous:
@@ -119,6 +130,6 @@ def _theorem(motion: BallMotion, data: Orbit, stable: bool | None, largest: str,
         f"motion{shifted}{moving} with {lasts}, with the {events} events of this file{sampled} in its order "
         f"and no other, which begins within {NEAR:g} of the state of this file, as a share of the sizes of "
         f"the states. In a ball of {2.0**radius:.1g} of these sizes about it no other start{across} returns "
-        f"with these events.{taken_as_zero(motion)} It is {word}: the largest modulus of its "
+        f"with these events.{taken_as_zero(motion)}{told} It is {word}: the largest modulus of its "
         f"multipliers{beside} is {largest}."
     )

@@ -19,6 +19,7 @@ from trimmer.loops.loops import ClosedLoop
 from trimmer.proof.modes import begun_amid, equations_data, motion_data, orbit_data
 from trimmer.proof.outcome import LIMIT, UndecidedError, Verdict
 from trimmer.proof.proof import Proof, proof_of
+from trimmer.proof.read_of import functionals_data
 from trimmer.proof.terms import element_data, plant_data
 from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.orbit import Orbit
@@ -75,7 +76,7 @@ def prove_limit_cycles(
     return proof_of("limit cycles", data, limit)
 
 
-def prove_orbit(system: Subject, orbit: Orbit, limit: float = LIMIT) -> Proof:
+def prove_orbit(system: Subject, orbit: Orbit, limit: float = LIMIT, readings: Sequence[str] = ()) -> Proof:
     """Prove that a system has a periodic motion where one was computed, with these events and no other.
 
     What is taken for granted are the equations of each mode, as the assembler of the system gives them: flow,
@@ -86,6 +87,10 @@ def prove_orbit(system: Subject, orbit: Orbit, limit: float = LIMIT) -> Proof:
         system: The mechanism or loop; its modes are those of the statement.
         orbit: The orbit, as ``forced_orbit``, ``periodic_orbits`` or ``respond`` gives it.
         limit: Time after which the check gives up, undecided, s.
+        readings: What is told of the motion too, by name: extremes, mean and root mean square of
+            ``outputs.NAME``, of an acceleration ``bodies.NAME``, of what is 1 in stick and else 0
+            ``frictions.NAME``, and of ``contacts.NAME`` how fast its sides meet at each contact made. The
+            functionals are taken for granted as the equations are. In a frame that moves, without its motion.
 
     Returns:
         Proven, with the largest modulus of its multipliers enclosed. Refuted, if the motion is elsewhere, has
@@ -103,8 +108,11 @@ def prove_orbit(system: Subject, orbit: Orbit, limit: float = LIMIT) -> Proof:
     flow = orbit.flow if orbit.subject is system else flow_of(system)
     try:
         data = orbit_data(orbit, flow)
+        read = functionals_data(orbit, flow, readings)
     except UndecidedError as error:
         return Proof("orbit", Verdict.UNDECIDED, "", str(error), {})
+    if read:
+        return proof_of("readings of an orbit", {"orbit": data, "functionals": read}, limit)
     return proof_of("orbit", data, limit)
 
 

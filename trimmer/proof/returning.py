@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from flint import acb, acb_mat, arb, arb_mat
 
-from trimmer.proof.balls import about
+from trimmer.proof.balls import about, between
 from trimmer.proof.following import RADIUS, BallMotion, Followed, identity
 from trimmer.proof.outcome import UndecidedError
 
@@ -182,9 +182,7 @@ def multipliers_of(motion: BallMotion, over: Followed) -> tuple[bool | None, str
         scaled = scaled - along * (kept * along).inv() * (kept * scaled)
     lower, upper = _largest_modulus(scaled)
     stable = True if upper < 1 else False if lower > 1 else None
-    # Rounded outwards by more than twelve digits leave out.
-    told = float((lower * (1 - arb(2) ** -37)).lower()), float((upper * (1 + arb(2) ** -37)).upper())
-    return stable, f"between {told[0]:.12g} and {told[1]:.12g}"
+    return stable, between(lower, upper)
 
 
 def _largest_modulus(table: arb_mat) -> tuple[arb, arb]:

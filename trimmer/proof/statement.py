@@ -190,6 +190,37 @@ class Orbit:
 
 
 @dataclass(frozen=True)
+class Functional:
+    """Something that is read of a motion: what it is said to be, which nothing depends on, and what it is.
+
+    Attributes:
+        about: What it is said to be.
+        rows: By Z, in each mode.
+        before: Segments before whose last event it is told.
+    """
+
+    about: str
+    rows: Table
+    before: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class OrbitReadings:
+    """That a system has a periodic motion, over which functionals are told."""
+
+    orbit: Orbit
+    functionals: tuple[Functional, ...]
+
+    def __post_init__(self) -> None:
+        equations, course = self.orbit.equations, self.orbit.motion
+        size = len(course.state) + len(equations.forcing)
+        for each in self.functionals:
+            _require(_is(each.rows, len(equations.modes), size), "a functional does not fit the modes")
+            ends = range(len(course.segments) - 1)
+            _require(all(k in ends for k in each.before), "a functional is told before an event that is none")
+
+
+@dataclass(frozen=True)
 class Neighbour:
     """The equations at a value of a number."""
 
