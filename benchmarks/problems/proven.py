@@ -1,8 +1,9 @@
 """Which digits of the problems are proven by ball arithmetic, by the theorems kept in ``proofs``.
 
-``python -m benchmarks.problems.proven [NAME ...]`` proves them anew: periods of motions without a drive,
-numbers of events, largest multipliers, folds, period doublings, and what harmonic balance predicts. A grazing
-stays undecided. No theorem is there for peaks and mean squares, a torus, and motions that do not repeat.
+``python -m benchmarks.problems.proven [NAME ...]`` proves them anew: of motions that repeat the period
+without a drive, events, largest multiplier, peaks, mean squares, impact speeds and shares of stick; folds,
+period doublings, and what harmonic balance predicts. A grazing stays undecided. No theorem is there for an
+advance, a torus, and motions that do not repeat.
 ``trimmer check`` verifies each file again.
 """
 
@@ -34,13 +35,40 @@ PREDICTED = {
     "predicted amplitude": PLACE + r"A = (?P<value>\S+),",
     "predicted period": PLACE + r"A = \S+, omega = (?P<omega>\S+) rad/s\.$",
 }
+READ = {
+    "peak_to_peak": "peak to peak",
+    "rms": "about the mean",
+    "rms_acceleration": "root mean square",
+    "share_of_stick": "mean",
+    "impact_speeds": r"before event \d+",
+}
+"""How a theorem calls what is read of a motion."""
+READING = (
+    r"what this file calls '{}', unchecked, is: [^:]*?\b{} "
+    r"between (?P<lower>\S+) and (?P<upper>[^\s,]+\d)[,.] "
+)
 SPECIAL = {"fold", "period-doubling"}
 VALUE = r": a {} within (?P<off>\S+), relative, of v = (?P<value>\S+)\.$"
 
 
 def file_of(problem: Problem, digit: Digit) -> Path:
-    """Return where the proof of a digit is kept if there is one."""
-    return PROOFS / f"{problem.name}-{digit.name.replace(' ', '-')}.json"
+    """Return where the proof of a digit is kept if there is one; digits of one motion share it."""
+    name = orbit_of(digit) or digit.name.replace(" ", "-")
+    return PROOFS / f"{problem.name}-{name}.json"
+
+
+def orbit_of(digit: Digit) -> str:
+    """Return under which name the motion is asked for that repeats and has a digit; empty for others."""
+    covered = digit.name in ORBITS or reading_of(digit) is not None
+    asked = str(digit.ours[0]) if digit.ours else "motion"
+    return ("motion" if asked == "outputs" else asked) * covered
+
+
+def reading_of(digit: Digit) -> tuple[str, str] | None:
+    """Return what of a motion a digit reads, and how a theorem calls that; None if it reads nothing."""
+    keys = [str(each) for each in digit.ours]
+    place = next((at for at, key in enumerate(keys) if key in READ), 0)
+    return (".".join(keys[place - 2 : place]), READ[keys[place]]) if place > 1 else None
 
 
 def digits_of(digit: Digit, theorem: str) -> int:
@@ -50,15 +78,19 @@ def digits_of(digit: Digit, theorem: str) -> int:
         0 if the theorem says nothing of it, or another number.
     """
     kind = digit.ours[2] if digit.ours[1:2] == ("special",) else "nothing"
-    found = re.search({**ORBITS, **PREDICTED}.get(digit.name, VALUE.format(kind)), theorem)
+    said = {**ORBITS, **PREDICTED}.get(digit.name, VALUE.format(kind))
+    if read := reading_of(digit):
+        said = READING.format(re.escape(read[0]), read[1])
+    found = re.search(said, theorem)
     if found is None:
         return 0
     told = {name: float(value) for name, value in found.groupdict().items()}
     if "omega" in told:
         told["value"] = math.tau / told["omega"]
-    turns = math.tau if digit.ours[-1:] == ("turns",) else 1.0
-    middle = turns * told["value"] if "value" in told else 0.5 * (told["lower"] + told["upper"])
-    off = told.get("off", 0.5 * (told.get("upper", middle) - told.get("lower", middle)) / middle)
+    factor = {"turns": math.tau, "half": 0.5}.get(str(digit.ours[-1]) if digit.ours else "", 1.0)
+    told = {name: each if name == "off" else factor * each for name, each in told.items()}
+    middle = told["value"] if "value" in told else 0.5 * (told["lower"] + told["upper"])
+    off = told.get("off", 0.5 * (told.get("upper", middle) - told.get("lower", middle)) / abs(middle))
     # The theorem is told to a last digit, as is what is held against it.
     off = max(off, digit.agreement)
     return math.floor(-math.log10(off)) if abs(digit.value / middle - 1.0) <= off else 0
@@ -75,30 +107,35 @@ def prove(problem: Problem, digit: Digit) -> Proof | None:
     from trimmer import ClosedLoop, Mechanism, follow, respond
     from trimmer.proof import prove_limit_cycles, prove_orbit, prove_special_point
 
+    orbit_name = orbit_of(digit)
+    alike = (reading_of(each) for each in problem.digits if orbit_of(each) == orbit_name)
+    names = tuple(dict.fromkeys(each[0] for each in alike if each is not None))
     if problem.python:
-        if digit.name not in {*ORBITS, *PREDICTED}:
+        if not orbit_name and digit.name not in PREDICTED:
             return None
         named = ask.names_of(problem)
         if digit.name in PREDICTED:
             return prove_limit_cycles(ClosedLoop(named["plant"], named["relay"]), [named["predicted"]])
         orbit = named["motion"].orbit if "motion" in named else named["orbit"]
-        return prove_orbit(orbit.subject, orbit)
+        return prove_orbit(orbit.subject, orbit, readings=names)
     with TemporaryDirectory() as folder:
         ask.write_files(problem, Path(folder))
         machine = Mechanism.from_toml(Path(folder) / ask.FILE)
-    command = problem.asks[str(digit.ours[0])]
-    if digit.name in ORBITS and (command == "respond FILE" or "settles_to" in digit.ours):
+    words = shlex.split(problem.asks[str(digit.ours[0])])
+    if orbit_name and (words[0] == "respond" or "settles_to" in digit.ours):
+        for change in words[3::2] if words[0] == "respond" else ():
+            place, value = change.split("=")
+            machine = machine.with_value(place, float(value))
         orbit = respond(machine).motion.orbit
-        return None if orbit is None else prove_orbit(machine, orbit)
+        return None if orbit is None else prove_orbit(machine, orbit, readings=names)
     if digit.ours[1] != "special" or digit.ours[2] not in SPECIAL:
         return None
-    words = shlex.split(command)
     options = dict(zip(words[2::2], words[3::2], strict=True))
     place, first, last = options["--vary"], float(options["--from"]), float(options["--to"])
     branch = follow(machine.with_value(place, first), place, first, last)
-    value = digit.value / (math.tau if digit.ours[-1] == "turns" else 1.0)
+    near = digit.value / (math.tau if digit.ours[-1] == "turns" else 1.0)
     points = [each for each in branch.special if each.kind.word == digit.ours[2]]
-    return prove_special_point(machine, branch, min(points, key=lambda each: abs(each.value - value)))
+    return prove_special_point(machine, branch, min(points, key=lambda each: abs(each.value - near)))
 
 
 def main() -> None:
@@ -108,8 +145,10 @@ def main() -> None:
     names = parser.parse_args().names
     PROOFS.mkdir(exist_ok=True)
     for problem in problems():
+        kept: dict[Path, Proof | None] = {}
         for digit in problem.digits if not names or problem.name in names else ():
-            proof = prove(problem, digit)
+            path = file_of(problem, digit)
+            kept[path] = proof = kept[path] if path in kept else prove(problem, digit)
             if proof is None:
                 continue
             count = digits_of(digit, proof.theorem)
@@ -117,7 +156,7 @@ def main() -> None:
                 f"{problem.name}, {digit.name}: {proof.verdict}, {count} digits. {proof.reason}", flush=True
             )
             if count:
-                proof.write(file_of(problem, digit))
+                proof.write(path)
 
 
 if __name__ == "__main__":
