@@ -2,8 +2,8 @@
 
 ``python -m benchmarks.problems.proven [NAME ...]`` proves them anew: of motions that repeat the period
 without a drive, events, largest multiplier, peaks, mean squares, impact speeds and shares of stick; folds,
-period doublings, and what harmonic balance predicts. A grazing stays undecided. No theorem is there for an
-advance, a torus, and motions that do not repeat.
+period doublings, and what harmonic balance predicts. A grazing stays undecided. No theorem is there for a
+torus, and motions that do not repeat.
 ``trimmer check`` verifies each file again.
 """
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 PROOFS = FOLDER / "proofs"
 ORBITS = {
-    "period": r"a period within (?P<off>\S+), relative, of (?P<value>\S+) s",
+    "period": r"Over this motion, of between (?P<lower>\S+) and (?P<upper>\S+) s",
     "events per period": r"with the (?P<value>\d+) events of this file",
     "largest multiplier": r" is between (?P<lower>\S+) and (?P<upper>\S+)\.$",
 }
@@ -37,6 +37,7 @@ PREDICTED = {
 }
 READ = {
     "peak_to_peak": "peak to peak",
+    "advance": "integral",
     "rms": "about the mean",
     "rms_acceleration": "root mean square",
     "share_of_stick": "mean",
@@ -68,7 +69,10 @@ def reading_of(digit: Digit) -> tuple[str, str] | None:
     """Return what of a motion a digit reads, and how a theorem calls that; None if it reads nothing."""
     keys = [str(each) for each in digit.ours]
     place = next((at for at, key in enumerate(keys) if key in READ), 0)
-    return (".".join(keys[place - 2 : place]), READ[keys[place]]) if place > 1 else None
+    if place <= 1:
+        return None
+    kind = "rates" if keys[place] == "advance" else keys[place - 2]
+    return f"{kind}.{keys[place - 1]}", READ[keys[place]]
 
 
 def digits_of(digit: Digit, theorem: str) -> int:

@@ -87,10 +87,11 @@ def prove_orbit(system: Subject, orbit: Orbit, limit: float = LIMIT, readings: S
         system: The mechanism or loop; its modes are those of the statement.
         orbit: The orbit, as ``forced_orbit``, ``periodic_orbits`` or ``respond`` gives it.
         limit: Time after which the check gives up, undecided, s.
-        readings: What is told of the motion too, by name: extremes, mean and root mean square of
-            ``outputs.NAME``, of an acceleration ``bodies.NAME``, of what is 1 in stick and else 0
-            ``frictions.NAME``, and of ``contacts.NAME`` how fast its sides meet at each contact made. The
-            functionals are taken for granted as the equations are. In a frame that moves, without its motion.
+        readings: What is told of the motion too, by name: extremes, integral, mean and root mean square of
+            ``outputs.NAME``, of its rate beside the ground ``rates.NAME``, of an acceleration
+            ``bodies.NAME``, of what is 1 in stick and else 0 ``frictions.NAME``, and of ``contacts.NAME``
+            how fast its sides meet at each contact made. These functionals are taken for granted as the
+            equations are. Where the motion advances, ``outputs.NAME`` is in the frame that moves with it.
 
     Returns:
         Proven, with the largest modulus of its multipliers enclosed. Refuted, if the motion is elsewhere, has

@@ -10,7 +10,7 @@ import numpy as np
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.impulses import first_wall
 from trimmer.contact.statuses import CONTACT_MADE, IMPACT, STICK
-from trimmer.motion.signals import OwnValues
+from trimmer.motion.signals import OwnValues, rate
 from trimmer.proof.modes import begun_amid, instants, modes_used
 from trimmer.proof.outcome import UndecidedError
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.motion.course import Course
     from trimmer.motion.flow import Flow
-    from trimmer.motion.signals import Signal
+    from trimmer.motion.signals import Readout, Signal
     from trimmer.response.orbit import Orbit
 
 
@@ -28,8 +28,9 @@ def functionals_data(orbit: Orbit, flow: Flow, names: Iterable[str]) -> list[dic
     Args:
         orbit: The orbit.
         flow: What it is said to be a motion of.
-        names: ``outputs.NAME``, ``bodies.NAME`` for its acceleration, ``frictions.NAME`` for what is 1 while
-            it sticks and else 0, ``contacts.NAME`` for how fast its sides meet.
+        names: ``outputs.NAME``, ``rates.NAME`` for its rate with that of the frame, ``bodies.NAME`` for its
+            acceleration, ``frictions.NAME`` for what is 1 while it sticks and else 0, ``contacts.NAME`` for
+            how fast its sides meet.
     """
     course = begun_amid(orbit.course)
     modes = [flow.modes.number(course.modes[number].statuses) for number in modes_used(course.log)]
@@ -47,6 +48,8 @@ def _signal(course: Course, flow: Flow, name: str) -> tuple[Signal, list[int]]:
     kind, _, part = name.partition(".")
     if kind == "outputs" and part in flow.outputs:
         return flow.outputs[part].signal, []
+    if kind == "rates" and part in flow.outputs:
+        return _rate(flow, flow.outputs[part]), []
     if kind == "bodies" and part in flow.accelerations:
         return flow.accelerations[part], []
     if isinstance(flow, MechanismFlow):
@@ -56,6 +59,12 @@ def _signal(course: Course, flow: Flow, name: str) -> tuple[Signal, list[int]]:
         if kind == "contacts" and part in (*layout.contacts, *layout.walls):
             return _meeting(course, flow, part)
     raise UndecidedError(f"{name} is nothing that is read of this motion")
+
+
+def _rate(flow: Flow, output: Readout) -> Signal:
+    """Return the rate of an output, with how fast it moves on beyond what its functional says."""
+    beyond = output.speed * np.eye(flow.modes.system.layout.size)[-1]
+    return lambda mode: np.asarray(rate(flow.modes, output.signal)(mode) + beyond)
 
 
 def _stick(flow: MechanismFlow, friction: int) -> Signal:

@@ -91,6 +91,7 @@ def reading(motion: BallMotion, over: Followed, functional: Functional) -> str:
         "smallest": lowest,
         "largest": highest,
         "peak to peak": highest - lowest,
+        "integral": once,
         "mean": mean,
         "root mean square": _root(square),
         "about the mean": _root(square - mean * mean),
@@ -98,10 +99,9 @@ def reading(motion: BallMotion, over: Followed, functional: Functional) -> str:
     }
     if not all(each.is_finite() for each in told.values()):
         raise UndecidedError("what is read of the motion is not enclosed")
-    words = ", ".join(
-        f"{name} {between(arb(value.lower()), arb(value.upper()), DIGITS)}" for name, value in told.items()
-    )
-    return f" Over this motion, what this file calls {functional.about!r}, unchecked, is: {words}."
+    words = ", ".join(f"{name} {_bounds(value)}" for name, value in told.items())
+    called = f"what this file calls {functional.about!r}, unchecked"
+    return f" Over this motion, of {_bounds(period)} s, {called}, is: {words}."
 
 
 def _row(motion: BallMotion, row: tuple[float, ...]) -> arb_mat:
@@ -119,6 +119,10 @@ def _pieces(motion: BallMotion, over: Followed, rows: list[arb_mat]) -> Iterator
             value, slope = (arb_poly([(row * each)[0, 0] for each in columns]) for row in both)
             offs = ((moduli(row) * off)[0, 0].upper() for row in both)
             yield Piece(steps.duration, value, slope, *map(arb, offs))
+
+
+def _bounds(value: arb) -> str:
+    return between(arb(value.lower()), arb(value.upper()), DIGITS)
 
 
 def _root(square: arb) -> arb:
