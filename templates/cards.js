@@ -1,11 +1,16 @@
 "use strict";
-// One tab stop for each card and for each table of errata: the reader who uses the keyboard goes from one to the next,
+// One tab stop for each card, for each table of errata and for each table of many links: the reader who uses the keyboard goes from one to the next,
 // Enter leads to what is in it, and Escape back. Without script, or by mouse, all of it works as ever.
 // What scrolls stays a stop, since nothing else could scroll it.
 {
   const FOCUSABLE = "a[href], button, summary, input, select, textarea, .paper";
   const OUT = "data-stop"; // what was a stop and is none as long as its card is not entered
-  const CARDS = "article.claim, .errata-sheet .table-box";
+  const MANY = 8;
+  for (const box of document.querySelectorAll(".table-box:not(article.claim *)")) {
+    const links = box.querySelectorAll("a[href]").length;
+    box.classList.toggle("stop", links > MANY || (links > 0 && box.closest(".errata-sheet") !== null));
+  }
+  const CARDS = "article.claim, .table-box.stop";
   const cardOf = (element) => element.closest(CARDS);
   const leave = (card) => {
     card.classList.remove("entered");

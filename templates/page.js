@@ -47,13 +47,13 @@
   // What scrolls sideways can be reached by keyboard, what does not is no stop on the way. The content is watched
   // too: it grows when the font of formulas is there.
   const boxes = ".formula, .table-box, .picture, .paper";
-  const isCard = (box) => box.matches(".errata-sheet .table-box"); // which is a stop in any case
   const scrollers = new ResizeObserver((changes) => {
     for (const box of new Set(changes.map(({ target }) => target.closest(boxes)))) {
+      if (box.matches(".stop")) continue; // which it is in any case
       if (box.scrollWidth > box.clientWidth) box.tabIndex = 0; else if (!box.matches(".paper")) box.removeAttribute("tabindex");
     }
   });
-  for (const box of [...document.querySelectorAll(boxes)].filter((each) => !isCard(each))) {
+  for (const box of document.querySelectorAll(boxes)) {
     scrollers.observe(box);
     scrollers.observe(box.firstElementChild);
   }

@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from report.document.document import Document
+from tests.report.rendering import page_checks
 from tests.report.rendering.page_checks import Visit
 
 pytestmark = pytest.mark.browser
@@ -17,6 +18,14 @@ IS_CARD = "document.activeElement.matches('article.claim')"
 STOPS = """
   (inside) => [...document.querySelectorAll('a[href], button, summary, input, select, [tabindex]')]
     .filter((e) => e.tabIndex >= 0 && e.checkVisibility() && e.matches(`${inside}, ${inside} *`)).length
+"""
+MANY = 8
+"""Most links of a table each of which is a stop."""
+STOPS_OF_TABLES = """
+  [...document.querySelectorAll('.table-box')]
+    .filter((box) => !box.closest('article.claim, .errata-sheet'))
+    .map((box) => [...box.querySelectorAll('a[href]')].filter((link) => link.checkVisibility()))
+    .map((links) => [links.length, links.filter((link) => link.tabIndex >= 0).length])
 """
 
 
@@ -40,7 +49,7 @@ def test_tab_goes_from_card_to_card(shared: Page) -> None:
     assert met == cards[:4]
 
 
-def test_each_card_and_each_table_of_errata_is_one_stop(
+def test_each_card_and_each_table_of_errata_or_of_many_links_is_one_stop(
     visit: Callable[..., Visit], document: Document
 ) -> None:
     page = visit().page
@@ -48,6 +57,10 @@ def test_each_card_and_each_table_of_errata_is_one_stop(
     assert page.evaluate(STOPS, "article.claim") == len(ids(document))
     tables = page.locator(".errata-sheet .table-box").count()
     assert page.evaluate(STOPS, ".errata-sheet .table-box") == tables > 0
+    stops = page.evaluate(STOPS_OF_TABLES)
+    assert all((inside == 0) == (links > MANY) for links, inside in stops if links)
+    assert max(links for links, _ in stops) > MANY
+    assert page_checks.tab_stops(page) <= page_checks.MOST_TAB_STOPS
 
 
 def test_enter_leads_into_a_card_and_escape_back(shared: Page) -> None:
