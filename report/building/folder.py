@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final, final
 
+from report.copy.pictures import fault_of_picture
 from report.copy.reading import CopyFileError, ReaderCopy, read_judged_text
 from report.data.statements import ThesisSection
 from report.data.text_copy import TextCopy
@@ -179,14 +180,16 @@ def _require_place(path: Path, line: int, entry: Statement, count: int) -> None:
 
 
 def _require_pictures(path: Path, lines: Sequence[str]) -> None:
-    """Check that the files are there which a text in Markdown shows as pictures."""
+    """Check the files that a text in Markdown shows as pictures."""
     for number, line in enumerate(lines, start=1):
         for name in _PICTURE.findall(line):
-            if "://" not in name and not (path.parent / name).is_file():
-                raise FolderError(
-                    f"{path}, line {number}: shows the picture {shown_value(name)}, which is not there; put "
-                    "it beside the text, or mend the line"
-                )
+            if "://" in name:
+                continue
+            where = f"{path}, line {number}: shows the picture {shown_value(name)}, which"
+            if not (path.parent / name).is_file():
+                raise FolderError(f"{where} is not there; put it beside the text, or mend the line")
+            if fault := fault_of_picture(path.parent / name):
+                raise FolderError(f"{where} is damaged: {fault}; put a whole one beside the text")
 
 
 def _example(kind: Kind) -> str:

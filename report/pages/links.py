@@ -12,7 +12,15 @@ _IDENTIFIER = re.compile(r"(?<=[{ ])#([^\s}#]+)(?=[^{}\n]*\}\s*$)", re.MULTILINE
 
 
 class BrokenLinkError(ValueError):
-    """The report links to a place that it does not have, or has the same place twice."""
+    """The report links to a place that it does not have, or has the same place twice.
+
+    Attributes:
+        places: Those that it links to and does not have, if that is what is wrong.
+    """
+
+    def __init__(self, message: str, places: Iterable[str] = ()) -> None:
+        super().__init__(message)
+        self.places = tuple(places)
 
 
 def check_links(markdown: str, elsewhere: Iterable[str] = ()) -> None:
@@ -35,7 +43,8 @@ def check_links(markdown: str, elsewhere: Iterable[str] = ()) -> None:
     if broken:
         raise BrokenLinkError(
             f"the report links to places it does not have: {', '.join(broken)}; "
-            "correct the link or add the claim, step or figure"
+            "correct the link or add the claim, step or figure",
+            broken,
         )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import tomllib
 from collections import Counter
@@ -96,6 +97,11 @@ def test_nothing_tells_of_the_thesis(tmp_path: Path) -> None:
     ]
 
 
+PNG = base64.b64decode(
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg=="
+)
+"""A picture of one pixel."""
+PICTURES = {"bad.svg": b"", "web.svg": b"<html/>", "bad.png": b"no picture", "cut.png": PNG[:45]}
 CLAIMS, LIST, WORDS = "claims.py", "inventory.csv", "judge.toml"
 REFUSED = [
     (WORDS, None, "", "mine/judge.toml: is not there; write it, with title, called, text and sections"),
@@ -120,6 +126,10 @@ REFUSED = [
     (LIST, "severity\n", "paragraph\n", "inventory.csv, line 2: paragraph 'result' is no number of a"),
     (LIST, ",slip", ",none", "fig-1, end: it is wrong, and has no severity; write conclusion, result"),
     ("text.md", "1 + 1 = 2", "![](sum.svg)", "mine/text.md, line 1: shows the picture 'sum.svg', which is"),
+    ("text.md", "1 + 1 = 2", "![](bad.svg)", "line 1: shows the picture 'bad.svg', which is damaged: no"),
+    ("text.md", "1 + 1 = 2", "![](web.svg)", "'web.svg', which is damaged: its outermost element is html"),
+    ("text.md", "1 + 1 = 2", "![](bad.png)", "which is damaged: cannot identify image file"),
+    ("text.md", "1 + 1 = 2", "![](cut.png)", "'cut.png', which is damaged: "),
     (LIST, "fig-1,figure,1,a line,slip\n", "", "mine/claims.py: fig-1 is not in the inventory; add a line t"),
     (LIST, "slip\n", "slip\neq-2,equation,1,b,\n", "eq-2: in the inventory, but without a record; write one"),
     (LIST, ",slip", ",", "fig-1, end: it is wrong, and has no severity; wr"),
@@ -134,7 +144,12 @@ REFUSED = [
     (CLAIMS, "return Figure()", "return None", "mine/claims.py: figure fig-1: what draws it returns no"),
     (CLAIMS, '"2", known', '"two", known', "'two' is no string of digits such as '8.28' or '2.1e-8'"),
     (CLAIMS, "TWO, known", "3, known", "by the exact orbit disagree (relative difference at most 1e-09)"),
-    (CLAIMS, "It is two.", "See [it](#eq-9).", "mine: the pages cannot be made: the report links to places"),
+    (CLAIMS, "It is two.", "See [it](#eq-9).", "mine/claims.py: the claim eq-1 links to #eq-9, a place that"),
+    (CLAIMS, "It ends", r"$\\frac{1 x$ ends", "mine/claims.py: the claim fig-1 has a formula that cannot be"),
+    (CLAIMS, '="A line.", alt', r'="$\\frac{1 x$.", alt', "mine/claims.py: the claim fig-1 has a formula"),
+    (CLAIMS, "\nfrom", "\nimport os; os._exit(0)\nfrom", "mine: importing the modules ended the whole pr"),
+    (CLAIMS, 'yield text("It is', 'import os; os._exit(0); yield text("It is', "the claim eq-1 ended the"),
+    (CLAIMS, "return Figure()", "import os; os._exit(2)", "claims.py: the figure fig-1 ended the whole proc"),
     (CLAIMS, "return Figure()", "return 1 / 0", "mine/claims.py, line 20: the figure fig-1 ended with ZeroD"),
     ("evidence.py", "1.0 + 1.0", "1 / 0", "mine/evidence.py, line 3: gather() ended with ZeroDivisionError:"),
 ]  # fmt: skip
@@ -144,6 +159,8 @@ REFUSED = [
 def test_what_is_wrong_in_a_folder_is_told(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str, old: str | None, new: str, sentence: str
 ) -> None:
+    for picture, stored in PICTURES.items():
+        (tmp_path / "mine" / picture).write_bytes(stored)
     file = tmp_path / "mine" / name
     content = file.read_text("utf-8")
     assert old is None or old in content
