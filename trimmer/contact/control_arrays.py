@@ -8,9 +8,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.contact.controllers.laws import Law, laws_of
-from trimmer.errors import MechanismError
 from trimmer.mechanism.parts import OutputKind
-from trimmer.mechanism.place_text import place_text
 
 if TYPE_CHECKING:
     from trimmer.contact.layout import Rows
@@ -77,16 +75,9 @@ def _speed(mechanism: Mechanism, controller: Controller, rows: Rows) -> Reals:
 
 
 def measured_row(mechanism: Mechanism, output: Output, rows: Rows) -> Reals:
-    """Return a displacement, a velocity, or the force of a link as a functional, (N,).
-
-    Raises:
-        MechanismError: if the link has a curve.
-    """
+    """Return a displacement, a velocity, or the force of a link without a curve as a functional, (N,)."""
     if output.kind is OutputKind.FORCE:
         link = mechanism.links[str(output.part)]
-        if link.curve:
-            place = place_text(("links", str(output.part), "curve"))
-            raise MechanismError(f"{place}: a controller that measures the force of a curve is not computed")
         start, end = link.between
         stretch = rows.displacement(end) - rows.displacement(start)
         return np.asarray(

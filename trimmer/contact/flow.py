@@ -55,7 +55,7 @@ from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.mechanism.controls.references import SineReference
 from trimmer.mechanism.coordinates import inertia_of
-from trimmer.mechanism.kinds import Kind
+from trimmer.mechanism.kinds import Kind, kind_of_part
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import COUPLINGS
 from trimmer.mechanism.place_text import place_text
@@ -167,14 +167,25 @@ class MechanismFlow(Flow):
         extended = np.concatenate([state, layout.forcing_at(0.0)])
         beyond = machine.wall_distance @ extended
         allowed = NEARLY * (abs(machine.wall_distance) @ abs(extended))
-        for name, far, rounding in zip(layout.walls, beyond.tolist(), allowed.tolist(), strict=True):
-            if far > rounding:
-                start, end = self.mechanism.walls[name].between
-                place = place_text(("walls", name))
-                raise MechanismError(
-                    f"{place}: at the start {end!r} is {far:.6g} m too far from {start!r}: "
-                    "give a body another [start], or the wall another gap"
-                )
+        for number, name in enumerate(layout.walls):
+            if beyond[number] > allowed[number]:
+                shares = machine.wall_distance[number] * extended
+                raise MechanismError(self._beyond(name, float(beyond[number]), shares))
+
+    def _beyond(self, name: str, far: float, shares: Reals) -> str:
+        """Say what puts ends beyond a wall: the body whose start does so most, or else the gap."""
+        wall, gap = self.mechanism.walls[name], place_text(("walls", name, "gap"))
+        names = self.modes.system.layout.coordinates
+        most = int(np.argmax(shares[: len(names)]))
+        place, advice = gap, "give another gap, or a body a [start] within it"
+        if shares[most] > 0:
+            place, advice = place_text(("start", names[most])), f"begin elsewhere, or give {gap} more"
+        start, end = wall.between
+        unit = kind_of_part(self.mechanism.kinds, "walls", name, wall).unit("m")
+        return (
+            f"{place}: at the start {end!r} is {far:.6g} {unit} too far from {start!r} "
+            f"for the wall {name!r}; {advice}"
+        )
 
     def at(
         self, state: Reals, phase: float = 0.0, stretched: bool = True, like: Instant | None = None

@@ -285,9 +285,15 @@ def test_stick_is_decided_anew_after_an_impact():
 
 def test_a_start_beyond_the_gap_is_refused():
     with pytest.raises(
-        MechanismError, match=r"walls.floor: at the start 'ground' is 0.1 m too far from 'ball'"
+        MechanismError, match=r"start.ball: at the start 'ground' is 0.1 m too far from 'ball' for .*'floor'"
     ):
         simulate(ball(0.5, (-0.1, 0.0)), 1.0)
+
+
+def test_a_gap_that_no_start_is_within_is_named_in_the_unit_of_its_ends():
+    turning = Mechanism({"arm": Body(inertia=1.0)}, walls={"end": Wall(("ground", "arm"), 0.5, gap=-1.0)})
+    with pytest.raises(MechanismError, match=r"walls.end.gap: .* is 1 rad too far .* give another gap"):
+        simulate(turning, 1.0)
 
 
 def test_a_start_on_the_wall_with_a_closing_rate_begins_with_an_impact():

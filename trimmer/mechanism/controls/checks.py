@@ -11,7 +11,7 @@ from typing import Any
 from trimmer.errors import MechanismError
 from trimmer.mechanism.controls.controllers import DIFFERENCE, Cascade, Controller, Pid, TransferController
 from trimmer.mechanism.controls.numbers import ROWS, kind_of, numbers_of
-from trimmer.mechanism.controls.references import ProfileReference, Reference
+from trimmer.mechanism.controls.references import REFERENCES, ProfileReference, Reference
 from trimmer.mechanism.kinds import Kind, entry
 from trimmer.mechanism.parts import GROUND, OutputKind
 from trimmer.mechanism.place_text import place_text
@@ -70,10 +70,21 @@ def _are_words(value: object) -> bool:
 
 def _not_followed(references: Mapping[str, Any], followed: Sequence[object]) -> Iterator[Problem]:
     for name, entries in references.items():
-        written = any(isinstance(each, str) for each in entries.values())
-        if written and name not in followed and all(each in (None, *references) for each in followed):
-            reason = f"no controller follows it, so its unit is not known; write reference = {name!r}"
-            yield Problem(("references", name), reason)
+        if name in followed or any(each not in (None, *references) for each in followed):
+            continue
+        reason = f"no controller follows it, so its unit is not known; write reference = {name!r}"
+        for place, value in _values_of(entries):
+            if isinstance(value, str):
+                yield Problem(("references", name, *place), reason, value)
+
+
+def _values_of(entries: Mapping[str, Any]) -> Iterator[tuple[tuple[str, ...], object]]:
+    """Yield what in the table of a reference has the unit of what is measured, with its place."""
+    yield from (((key,), entries[key]) for key in REFERENCES if key in entries and key not in ROWS)
+    points = entries.get("profile")
+    for number, point in enumerate(points if isinstance(points, list) else (), start=1):
+        if isinstance(point, list) and len(point) == 2:
+            yield ("profile", str(number), "value"), point[1]
 
 
 def problems_of_types(content: Mapping[str, Any], kinds: Mapping[str, Kind]) -> Iterator[Problem]:
@@ -165,6 +176,12 @@ def _algebraic(content: Mapping[str, Any], name: str, controller: Controller) ->
         if output is None or (kind := OutputKind.chosen(output.kind, "kind")) not in _FORCES:
             continue
         if kind is OutputKind.FORCE and output.part in content["links"]:
+            if content["links"][output.part].curve:
+                reason = (
+                    f"a continuous controller that measures the force of a curve, that of {output.part!r}, "
+                    "is not computed; measure a displacement, or give the controller a sample"
+                )
+                yield Problem(("controllers", name, key), reason, of)
             continue  # Springs and dampers depend on the state alone.
         path = [repr(name), repr(of)]
         path += [repr(output.part)] if output.part is not None else ["forces"]
@@ -215,7 +232,9 @@ def _of_tracking(controller: Controller) -> Iterator[tuple[str, str]]:
     elif controller.limit is None:
         yield "tracking", "the integral follows a limit, and there is none; leave this out, or give a limit"
     elif not controller.integrates:
-        yield "tracking", "there is no integral part that could follow the limit; leave this out"
+        needed = "ki is 0" if isinstance(controller, Pid) else "ti is missing"
+        reason = f"there is no integral part that could follow the limit, since {needed}"
+        yield "tracking", f"{reason}; give {needed.split()[0]}, or leave this out"
     elif controller.sample is not None and controller.tracking < controller.sample:
         yield "tracking", f"must not be shorter than the sample, {controller.sample!r} s"
 
