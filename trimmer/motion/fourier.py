@@ -28,18 +28,28 @@ def fourier(course: Course, signals: Reals, omega: float, count: int) -> Complex
     """
     times, weights = course.nodes.times, course.nodes.weights
     weighted = 2.0 / course.duration * weights[:, None] * signals
-    multiples, together = omega * np.arange(1.0, count + 1.0), max(1, MANY // max(1, len(times)))
-    found = [_waves(times, weights, part) @ weighted for part in _parts(multiples, together)]
-    return np.concatenate([np.empty((0, signals.shape[1]), dtype=complex), *found])
+    found, together = np.empty((count, signals.shape[1]), dtype=complex), max(1, MANY // max(1, len(times)))
+    powers = _powers(np.exp(-1j * omega * times), min(count, together))
+    for first in reversed(range(0, count, together)):  # The powers last: they are refined where they are.
+        waves = powers[: count - first] * np.exp(-1j * (omega * first) * times) if first else powers
+        omegas = omega * np.arange(first + 1.0, first + 1.0 + len(waves))
+        found[first : first + together] = _refined(waves, times, weights, omegas) @ weighted
+    return found
 
 
-def _parts(values: Reals, longest: int) -> list[Reals]:
-    return [values[first : first + longest] for first in range(0, len(values), longest)]
+def _powers(values: Complexes, count: int) -> Complexes:
+    """Return the powers 1 .. count of numbers, (count, numbers), each a product of two that are known."""
+    found = np.empty((count, len(values)), dtype=complex)
+    found[:1], known = values, 1
+    while known < count:
+        more = min(known, count - known)
+        np.multiply(found[:more], found[known - 1], out=found[known : known + more])
+        known += more
+    return found
 
 
-def _waves(times: Reals, weights: Reals, omegas: Reals) -> Complexes:
-    """Return what stands for exp(-i omega t) at the nodes, (omegas, nodes)."""
-    waves: Complexes = np.exp(-1j * omegas[:, None] * times)
+def _refined(waves: Complexes, times: Reals, weights: Reals, omegas: Reals) -> Complexes:
+    """Return what stands for exp(-i omega t) at the nodes, (omegas, nodes): itself, where it turns little."""
     lengths = weights.reshape(-1, NODES).sum(axis=1)
     angles = 0.5 * omegas[:, None] * lengths
     omega, step = np.nonzero(angles > FAST)
