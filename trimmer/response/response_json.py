@@ -20,8 +20,9 @@ def response_json(response: Response) -> dict[str, Any]:
     """Return a response as a dictionary that JSON can hold."""
     mechanism = response.subject if isinstance(response.subject, Mechanism) else None
     shares = waveforms_left_out(mechanism) if mechanism else {}
+    motions = [motion_json(motion) for motion in response.motions]
     return {
-        **motion_json(response.motion),
+        **motions[0],
         **({"waveforms_left_out": shares} if shares else {}),
         "success": response.success,
         "message": response.message,
@@ -29,8 +30,8 @@ def response_json(response: Response) -> dict[str, Any]:
         "box": {name: list(reach) for name, reach in response.box.items()},
         "seed": response.seed,
         "motions": [
-            {"share": motion.share, "mirrored": motion.mirrored, **motion_json(motion)}
-            for motion in response.motions
+            {"share": motion.share, "mirrored": motion.mirrored, **told}
+            for motion, told in zip(response.motions, motions, strict=True)
         ],
     }
 
