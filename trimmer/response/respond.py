@@ -217,7 +217,7 @@ def _slowness(orbit: Orbit) -> str:
 
 
 def _of_kind(kind: MotionKind, periods: int, told: str) -> SettledMotion:
-    return SettledMotion(kind, None, None, periods, None, 1, 1.0, False, told)
+    return SettledMotion(kind, None, None, periods, None, told)
 
 
 def _pulled(starts: int) -> SettledMotion:
@@ -225,14 +225,14 @@ def _pulled(starts: int) -> SettledMotion:
         "It diverges: a pin goes on for ever and pulls at a spring that something else holds, so that its "
         "force grows without end."
     )
-    return SettledMotion(MotionKind.DIVERGING, None, None, 0, None, starts, 1.0, False, told)
+    return SettledMotion(MotionKind.DIVERGING, None, None, 0, None, told, starts=starts)
 
 
 def _settled(orbit: Orbit, periods: int, agrees: bool | None, told: str) -> SettledMotion:
     rest = rest_of(orbit)
     if rest is not None:
         return replace(at_rest(rest, periods), neighbour_agrees=agrees)
-    return SettledMotion(MotionKind.PERIODIC, orbit, None, periods, agrees, 1, 1.0, False, told)
+    return SettledMotion(MotionKind.PERIODIC, orbit, None, periods, agrees, told)
 
 
 def _twins(motion: SettledMotion, other: SettledMotion) -> bool:

@@ -62,12 +62,12 @@ class SettledMotion(Shown):
         window: What was seen of it, if it does not repeat.
         drive_periods: Number of drive periods that were followed until this was known, the window included.
         neighbour_agrees: Whether a neighbouring start was found to do the same; None if none was tried.
-        starts: How many starts settle to it.
-        share: Their share of all starts.
-        mirrored: Whether it is the mirror image of the motion before it in the list.
         message: What it is, in sentences.
         rest: Where it rests, with the forces of all parts, if it comes to rest.
         linear: It in closed form, if no event comes any more.
+        starts: How many starts settle to it.
+        share: Their share of all starts.
+        mirrored: Whether it is the mirror image of the motion before it in the list.
     """
 
     kind: MotionKind
@@ -75,12 +75,12 @@ class SettledMotion(Shown):
     window: Watched | None
     drive_periods: int
     neighbour_agrees: bool | None
-    starts: int
-    share: float
-    mirrored: bool
     message: str
     rest: Rest | None = None
     linear: LinearMotion | None = None
+    starts: int = 1
+    share: float = 1.0
+    mirrored: bool = False
 
     @property
     def period_count(self) -> int | None:

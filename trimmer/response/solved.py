@@ -151,7 +151,7 @@ def at_rest(rest: Rest, before: float) -> SettledMotion:
         how = "slides for ever, ever more slowly" if period else "slips for ever, less each time"
         told = f"It {how}; {seen}{_of_rest(rest)}."
     periods = int(before) if period else 0
-    return SettledMotion(MotionKind.REST, None, None, periods, None, 1, 1.0, False, told, rest)
+    return SettledMotion(MotionKind.REST, None, None, periods, None, told, rest)
 
 
 def settled_at_last(found: Solved, before: float) -> SettledMotion:
@@ -172,9 +172,7 @@ def settled_at_last(found: Solved, before: float) -> SettledMotion:
         unit = 0.0 if flow.period else 2 * np.pi / float(found.motion.frequencies[0])
         window = watch(flow, found.motion.limit, WINDOW, unit)
     told = f"{_told(found)}. No event comes any more, so that this was solved for and not waited for."
-    return SettledMotion(
-        found.kind, found.orbit, window, periods, None, 1, 1.0, False, told, linear=found.motion
-    )
+    return SettledMotion(found.kind, found.orbit, window, periods, None, told, linear=found.motion)
 
 
 def _of_rest(rest: Rest) -> str:

@@ -55,7 +55,7 @@ def cut_short(settling: Settling, agrees: bool | None) -> SettledMotion:
     if settling.ending is Ending.DIVERGED and settling.periods:
         kind = MotionKind.DIVERGING
         told = f"It diverges: after {followed} {settling.ending.value}."
-    return SettledMotion(kind, None, None, settling.periods, agrees, 1, 1.0, False, told)
+    return SettledMotion(kind, None, None, settling.periods, agrees, told)
 
 
 def grown(seen: Seen, waited: int) -> SettledMotion:
@@ -69,14 +69,14 @@ def grown(seen: Seen, waited: int) -> SettledMotion:
 
 
 def _diverging(periods: int, told: str) -> SettledMotion:
-    return SettledMotion(MotionKind.DIVERGING, None, None, periods, None, 1, 1.0, False, told)
+    return SettledMotion(MotionKind.DIVERGING, None, None, periods, None, told)
 
 
 def unsettled(seen: Seen, waited: int, agrees: bool | None) -> SettledMotion:
     """Return what is known of a motion that has not settled after a wait and was watched since."""
     periods = waited + seen.window.periods
     told = _told(seen, waited, agrees)
-    return SettledMotion(seen.kind, None, seen.window, periods, agrees, 1, 1.0, False, told)
+    return SettledMotion(seen.kind, None, seen.window, periods, agrees, told)
 
 
 def look_closely(flow: Flow, instant: Instant) -> Seen | None:

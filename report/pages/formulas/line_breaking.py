@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from report.pages.formulas.latex import Atom, Role, atoms, width
+from report.pages.formulas.latex import Atom, Role, atoms
 
 _OPENING = Atom("(", 0.4)
 _INDENT = 2.0
@@ -22,8 +22,6 @@ def fit(latex: str, line: float) -> str:
     Returns:
         The same formula, or an ``aligned`` environment.
     """
-    if r"\begin{aligned}" in latex or width(latex) <= line:
-        return latex
     left, rest = _sides(atoms(latex))
     indent = _width(left) if _width(left) <= _OWN_LINE_SHARE * line else _INDENT
     lines = _filled(_narrowed(rest, line - indent), line - indent)

@@ -13,6 +13,7 @@ import pytest
 
 from report.design.comparison import comparison_sentence
 from report.design.markdown import to_markdown
+from report.design.pictures import pictures
 from report.design.report import DesignReport
 from report.design.sentences import helpless_words
 from report.design.tables import target_rows
@@ -159,6 +160,11 @@ def test_a_bound_of_zero_has_no_margin(design: Design) -> None:
     assert "%" not in verdict_sentence(judged_at(design, stroke_at_least=0.0))
     both = judged_at(design, impact_speed_at_most=1.0, stroke_at_least=1e-3)
     assert verdict_sentence(both).startswith("**Both targets are met**")
+
+
+def test_branches_show_what_a_target_that_is_met_bounds(design: Design) -> None:
+    shown = pictures(judged_at(design, impact_speed_at_most=100.0))
+    assert shown["branch-1"].title.startswith("Impact speed")
 
 
 def test_a_bound_that_is_far_away_is_not_measured_in_per_cent(design: Design) -> None:

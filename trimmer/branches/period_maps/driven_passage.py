@@ -119,10 +119,8 @@ class DrivenPassage:
         statuses = self._parts[number].statuses(phase)
         inside, was = (np.isin(each[:, number], statuses) for each in (after, before))
         changes = inside != was
-        if not changes.any():
-            return np.empty(0), np.empty(0)
         times, begins = starts[changes], inside[changes]
-        lengths = np.diff(times, append=times[0] + self.course.duration)
+        lengths = np.diff(times, append=times[:1] + self.course.duration)
         return lengths[begins], lengths[~begins]
 
     @property

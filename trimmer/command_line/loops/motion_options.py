@@ -103,10 +103,7 @@ def _drive(arguments: Namespace) -> Drive | None:
         return None
     if not 0 <= arguments.amplitude < math.inf:
         raise OptionError(f"--amplitude {arguments.amplitude:g}: must be finite and not negative (m)")
-    try:
-        return Drive(arguments.amplitude, frequency=arguments.drive)
-    except ValueError as error:
-        raise OptionError(f"--drive {arguments.drive:g}: {error}") from error
+    return Drive(arguments.amplitude, frequency=arguments.drive)
 
 
 def _friction(text: str) -> BodyFriction:

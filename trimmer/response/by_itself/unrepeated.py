@@ -29,7 +29,7 @@ def unrepeated(flow: Flow, found: SelfExcited, most_periods: int | None) -> Sett
     if window is not None and returns is not None:
         begin = found.waited - returns.course.duration
         told += f" Figures are those of {window.duration:.6g} s from {begin:.6g} s on."
-    return SettledMotion(kind, None, window, 0, None, 1, 1.0, False, told)
+    return SettledMotion(kind, None, window, 0, None, told)
 
 
 def _watched(flow: Flow, returns: Returns) -> Watched | None:
