@@ -51,14 +51,14 @@ def _held(number: int, known: Evidence) -> Observed:
     worst = "; ".join(_worst(found, at, bound) for at, bound in enumerate(line.bounds))
     alone = "" if all(holds(line, each) for each in found.starts) else " So it holds from rest alone."
     yield text(f"""
-        From rest, for {ranges}. {len(found.tried)} points were tried: {kinds}. The worst found:
+        From rest, for {ranges}. {sum(found.kinds.values())} points were tried: {kinds}. The worst found:
         {worst}.{alone}
     """)
     yield so("all points that were searched, and those that this build has tried again, hold it", found.holds)
 
 
 def _worst(found: Searched, at: int, bound: Bound) -> str:
-    worst, of_starts = (nearest(found.line, at, each)[0] for each in (found.tried, found.starts))
+    worst, of_starts = (nearest(found.line, at, each)[0] for each in (found.worst, found.starts))
     told, again = (_value(bound, each.values[at]) for each in (worst, of_starts))
     if bound.measure == PERIODS and worst.values[at] == of_starts.values[at] == 1.0:
         return f"all repeat after one drive period, from {STARTS - 1} other starts too"

@@ -60,7 +60,7 @@ def test_it_holds_at_a_point_of_its_box_that_the_search_did_not_try(number, caps
 @pytest.mark.parametrize("searched", read_advice(LINES), ids=NAMED)
 def test_what_the_search_found_is_found_again(searched):
     """Of motions that repeat; those that do not differ with rounding."""
-    for kept in searched.tried[::8]:
+    for kept in searched.worst:
         (found,) = attempt(searched.line, kept.point)
         assert holds(searched.line, found)
         if found.kind == kept.kind == "periodic":
@@ -77,7 +77,7 @@ def lowered(line, at, value):
 @pytest.mark.parametrize("at", range(3))
 def test_a_bound_that_the_search_broke_stops_the_build(evidence, at):
     found = next(each for each in evidence.twin.advice if each.line.id == "calm")
-    worst = max(each.values[at] for each in found.tried)
+    worst = max(each.values[at] for each in found.worst)
     broken = replace(found, line=lowered(found.line, at, worst))
     assert found.holds
     assert not broken.holds
@@ -92,7 +92,7 @@ def test_a_bound_that_breaks_now_is_noticed_though_the_search_kept_it():
     assert len(again.again) >= 4
     assert again.holds
     lower = lowered(found.line, 0, again.again[0].values[0])
-    assert not replace(again, line=lower, tried=()).holds
+    assert not replace(again, line=lower, worst=()).holds
 
 
 def test_another_kind_of_motion_than_those_allowed_breaks_a_line():
