@@ -51,9 +51,12 @@ def test_places_have_words() -> None:
     assert place_words("plays.bridge.gap") == "gap of bridge"
 
 
-def test_who_holds_it_is_told_of_what_does_not_repeat_too() -> None:
-    motion = SimpleNamespace(hand_arm={"motor": None}, repeats=False, measured_periods=96)
+@pytest.mark.parametrize("counted", ["drive period", "sample"])
+def test_who_holds_it_is_told_of_what_does_not_repeat_too(counted: str) -> None:
+    motion = SimpleNamespace(
+        hand_arm={"motor": None}, repeats=False, measured_periods=96, period_word=counted
+    )
     design: Any = SimpleNamespace(motion=motion, file=SimpleNamespace(held="motor"))
     told = str(exposure_sentences(design))
     assert told.startswith("The hand holds the motor. The motion does not repeat")
-    assert "96 drive periods" in told
+    assert f"96 {counted}s" in told
