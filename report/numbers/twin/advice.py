@@ -167,7 +167,8 @@ class Searched:
     @property
     def holds(self) -> bool:
         """Whether all points, also those tried again, are as the line says."""
-        return all(holds(self.line, each) for each in (*self.worst, *self.again))
+        known = set(self.kinds) <= set(self.line.kinds)
+        return known and all(holds(self.line, each) for each in (*self.worst, *self.again))
 
 
 def spare(line: Advice, number: int, tried: Tried) -> float:

@@ -101,6 +101,9 @@ def test_another_kind_of_motion_than_those_allowed_breaks_a_line():
     assert not holds(line, Tried((), "chaotic", (1.0, 1.0, 0.1)))
     assert not holds(line, Tried((), "periodic", (1.0, None, 0.1)))
     assert "chaotic" in BOUNDED
+    (found,) = (each for each in read_advice(LINES) if each.line.id == "calm")
+    assert found.holds
+    assert not replace(found, kinds={**found.kinds, "chaotic": 1}).holds
 
 
 def test_a_search_of_another_box_is_refused():
