@@ -28,6 +28,7 @@ from trimmer.contact.readouts import (
 )
 from trimmer.contact.references import references_in, settled_references
 from trimmer.contact.sampled import SampledControllers
+from trimmer.contact.start_within_walls import require_within_walls
 from trimmer.contact.statuses import (
     ALWAYS,
     BACKWARD,
@@ -47,7 +48,6 @@ from trimmer.contact.statuses import (
 )
 from trimmer.contact.system import MechanismSystem
 from trimmer.contact.transitions import held_parts
-from trimmer.errors import MechanismError
 from trimmer.hybrid.advance import Instant
 from trimmer.hybrid.affine_modes import Change, is_straight
 from trimmer.hybrid.system import ARRIVED, NO_STATE, STRUCK, ModeEquations, System
@@ -55,10 +55,9 @@ from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.mechanism.controls.references import SineReference
 from trimmer.mechanism.coordinates import inertia_of
-from trimmer.mechanism.kinds import Kind, kind_of_part
+from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import COUPLINGS
-from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.structures.ends import modes_in
 from trimmer.mechanism.waves import mean_of
 from trimmer.motion.course import Course
@@ -134,7 +133,7 @@ class MechanismFlow(Flow):
         The others are where the mechanism's own start puts them, or at rest at 0.
         """
         state = self._state_of(start)
-        self._require_within_walls(state)
+        require_within_walls(self.mechanism, self.modes.system, state)
         return self._measured(self.at(state, stretched=False))
 
     def _measured(self, instant: Instant) -> Instant:
@@ -161,31 +160,6 @@ class MechanismFlow(Flow):
     def near(self, start: Mapping[str, tuple[float, ...]]) -> Instant:
         """Return the same as ``rest``, but with ends that walls hold no farther apart than these allow."""
         return self.at(self._state_of(start), stretched=False)
-
-    def _require_within_walls(self, state: Reals) -> None:
-        machine, layout = self.modes.system.machine, self.modes.system.layout
-        extended = np.concatenate([state, layout.forcing_at(0.0)])
-        beyond = machine.wall_distance @ extended
-        allowed = NEARLY * (abs(machine.wall_distance) @ abs(extended))
-        for number, name in enumerate(layout.walls):
-            if beyond[number] > allowed[number]:
-                shares = machine.wall_distance[number] * extended
-                raise MechanismError(self._beyond(name, float(beyond[number]), shares))
-
-    def _beyond(self, name: str, far: float, shares: Reals) -> str:
-        """Say what puts ends beyond a wall: the body whose start does so most, or else the gap."""
-        wall, gap = self.mechanism.walls[name], place_text(("walls", name, "gap"))
-        names = self.modes.system.layout.coordinates
-        most = int(np.argmax(shares[: len(names)]))
-        place, advice = gap, "give another gap, or a body a [start] within it"
-        if shares[most] > 0:
-            place, advice = place_text(("start", names[most])), f"begin elsewhere, or give {gap} more"
-        start, end = wall.between
-        unit = kind_of_part(self.mechanism.kinds, "walls", name, wall).unit("m")
-        return (
-            f"{place}: at the start {end!r} is {far:.6g} {unit} too far from {start!r} "
-            f"for the wall {name!r}; {advice}"
-        )
 
     def at(
         self, state: Reals, phase: float = 0.0, stretched: bool = True, like: Instant | None = None
