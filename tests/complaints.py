@@ -1,7 +1,5 @@
 """What a command says on standard error, whatever the time it takes."""
 
-from __future__ import annotations
-
 from trimmer.command_line.patience import LINE
 
 

@@ -1,7 +1,5 @@
 """Files as somebody else may leave them: valid ones, cut, mixed up, or with something strange in a place."""
 
-from __future__ import annotations
-
 import json
 import re
 from typing import Any

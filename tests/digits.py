@@ -1,7 +1,5 @@
 """Which tests rest on digits: all but those listed here, so that no new one is forgotten."""
 
-from __future__ import annotations
-
 from functools import cache
 from pathlib import Path
 

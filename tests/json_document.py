@@ -1,7 +1,5 @@
 """Reads docs/json.md, and the keys of JSON as it names them."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Iterator
 from pathlib import Path

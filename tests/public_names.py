@@ -1,7 +1,5 @@
 """All public names, those at the top of ``trimmer`` and those in its rooms."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import trimmer

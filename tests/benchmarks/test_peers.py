@@ -1,7 +1,5 @@
 """The table of the peers: what a row says of an error, of a failure, and that ours is asked alike."""
 
-from __future__ import annotations
-
 import json
 import sys
 

@@ -1,7 +1,5 @@
 """The benchmark problems: their form, that both ways find their digits, and what is refused of a file."""
 
-from __future__ import annotations
-
 import ast
 import csv
 import io

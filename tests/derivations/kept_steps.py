@@ -3,8 +3,6 @@
 ``python -m tests.derivations.kept_steps`` writes the files anew, after a change that is wanted.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Which derived expressions the dimension checks reach: all, each with its own dimension."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import cache
 

@@ -1,7 +1,5 @@
 """The derivations are told as they were: ``kept_steps.py`` says how the files are written anew."""
 
-from __future__ import annotations
-
 from difflib import unified_diff
 
 import pytest

@@ -67,11 +67,7 @@ def test_two_mass_servo_with_backlash():
     motor, load, command = BODIES[0], BODIES[1], pin("r", GROUND)
     gear = play("gear", motor, load)
     mechanism = Mechanism(
-        (motor, load),
-        (Spring(k, command, motor),),
-        (Damper(c, command, motor),),
-        (command,),
-        (gear,),
+        (motor, load), (Spring(k, command, motor),), (Damper(c, command, motor),), (command,), (gear,)
     )
     derivation = derive_mechanism(mechanism)
     r = command.displacement

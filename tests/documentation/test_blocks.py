@@ -1,7 +1,5 @@
 """The tool that runs the blocks of pages notices what a reader would stumble over."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

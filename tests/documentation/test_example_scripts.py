@@ -1,7 +1,5 @@
 """Every script of examples/scripts draws one figure and prints what its docstring says."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """The reference holds every public name, command, option, key and formula."""
 
-from __future__ import annotations
-
 import re
 from importlib import import_module
 from pathlib import Path

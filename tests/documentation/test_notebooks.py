@@ -1,7 +1,5 @@
 """The notebooks run from top to bottom and show what their text says."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import nbformat

@@ -1,7 +1,5 @@
 """Every block of the site and of the README does what its page says."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """A page of the site that is opened from a folder loads the site's own files, and nothing else."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

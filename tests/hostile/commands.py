@@ -1,7 +1,5 @@
 """Calling the command line as a user does, in this process."""
 
-from __future__ import annotations
-
 import pytest
 
 from trimmer.command_line.main import main

@@ -1,7 +1,5 @@
 """One of a thing is told in the singular."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

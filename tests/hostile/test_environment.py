@@ -1,7 +1,5 @@
 """What stands in the environment ends no command with a traceback."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

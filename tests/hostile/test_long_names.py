@@ -1,7 +1,5 @@
 """Names that no table holds are refused, and what is long does not widen a page."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Letters that no font of a picture has are told in a sentence."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from tests.hostile.commands import called

@@ -1,7 +1,5 @@
 """A file to go on with that somebody changed by hand or exchanged for a stream is refused in a sentence."""
 
-from __future__ import annotations
-
 import json
 import os
 from pathlib import Path

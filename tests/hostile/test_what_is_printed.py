@@ -1,7 +1,5 @@
 """What strangers named acts neither on a terminal nor on a reader."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -4,8 +4,6 @@ Written from the definition alone. The flow is a Runge-Kutta method's, events ar
 and polished with steps of its own, and what happens at an event is found by trying all combinations of modes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import Enum

@@ -1,7 +1,5 @@
 """The mechanisms of the definition's reference cases, built in Python."""
 
-from __future__ import annotations
-
 import math
 
 from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Pin, Play, Stop
@@ -12,12 +10,7 @@ def trimmer(
 ) -> Mechanism:
     """The thesis's trimmer with play; the damping is that of the bridge, and a friction of 0 N is none."""
     return Mechanism(
-        bodies={
-            "motor": Body(0.035),
-            "cutter": Body(0.003),
-            "housing": Body(0.005),
-            "guard": Body(0.030),
-        },
+        bodies={"motor": Body(0.035), "cutter": Body(0.003), "housing": Body(0.005), "guard": Body(0.030)},
         frequency=110.0,
         pins={"pin": Pin("motor", 1.5e-3)},
         links={

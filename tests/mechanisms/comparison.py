@@ -1,7 +1,5 @@
 """Two lists of events side by side, and how far a motion by brute force may be trusted."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Finding the first guard that turns negative within one step of an integrator."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 

@@ -4,8 +4,6 @@ A mode is possible if every guard of it is positive, or zero and about to grow: 
 in that mode that is not zero decides. No pivoting, and next to no memory: the state tells.
 """
 
-from __future__ import annotations
-
 import itertools
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """The period map of a mechanism by brute force, and its Jacobian by finite differences."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from tests.mechanisms.brute_force import BruteForce, BruteMotion, extend, settle

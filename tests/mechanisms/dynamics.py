@@ -1,7 +1,5 @@
 """The motion in one mode of a whole mechanism: rates of the state, guards, forces."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, field
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Where the energy of a motion by brute force goes, part by part, by quadrature."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

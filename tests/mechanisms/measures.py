@@ -1,7 +1,5 @@
 """Numbers of a motion by brute force: integral, rms, smallest and largest value."""
 
-from __future__ import annotations
-
 import numpy as np
 from scipy.optimize import brentq
 

@@ -1,7 +1,5 @@
 """Outputs of every kind as rows of one mode."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from tests.mechanisms.dynamics import Mode, System

@@ -3,8 +3,6 @@
 A guard is a row that is not negative while the mode lasts.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@ Everything is drawn in units of one length, one mass and the drive's angular fre
 decades.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace

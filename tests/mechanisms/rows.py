@@ -8,8 +8,6 @@ The functions of time are carried along as entries of y, so a row may be differe
 rate of ``row @ y`` is ``row @ D @ y``.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, field
 from functools import cached_property

@@ -4,8 +4,6 @@ Between instants of the clock every control is a constant force, so whatever mov
 controllers moves one with them.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace

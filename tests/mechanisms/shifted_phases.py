@@ -1,7 +1,5 @@
 """Random mechanisms whose clock begins later: the same machine, so the same motions, branches and points."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Iterator

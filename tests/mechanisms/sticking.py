@@ -6,8 +6,6 @@ determined only up to the null space of J^T. By duality of linear programming so
 that is orthogonal to that null space. Without a ring these w are the unit vectors.
 """
 
-from __future__ import annotations
-
 import itertools
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Mechanisms that are easy to get wrong: coincidences, rings, preloads, parts that touch from the start."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 
@@ -161,10 +159,7 @@ def weak_grazing(depth: float) -> Mechanism:
 
 def unbalanced() -> Mechanism:
     return two_bodies(
-        forces={
-            "rotor": Force("a", unbalance=0.15, phase=0.2),
-            "second order": Force("b", 0.3, 2.0, 1.0, 3),
-        },
+        forces={"rotor": Force("a", unbalance=0.15, phase=0.2), "second order": Force("b", 0.3, 2.0, 1.0, 3)},
         stops={"wall": Stop(("b", "a"), 500.0, 2.0, 0.05)},
         frictions={"rub": Friction(("a", "b"), 0.6)},
     )

@@ -1,7 +1,5 @@
 """Waves and constant of a pin or a force, from the definition: Fourier sums of a waveform, term by term."""
 
-from __future__ import annotations
-
 import math
 
 from trimmer import Force, Mechanism, Pin

@@ -1,7 +1,5 @@
 """What the processes of ``test_mutation_running`` do."""
 
-from __future__ import annotations
-
 import os
 
 

@@ -1,7 +1,5 @@
 """The rule that tests ask through public names."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest
@@ -20,10 +18,7 @@ from scripts.doors import insides, wrong
             "from trimmer import design\nmonkeypatch.setattr(design, 'slow', None)",
             ["replaces design inside the packages"],
         ),
-        (
-            "mock.patch('report.command.main')",
-            ["replaces 'report.command.main' inside the packages"],
-        ),
+        ("mock.patch('report.command.main')", ["replaces 'report.command.main' inside the packages"]),
         ("from trimmer import Problem\ndict(Problem.table)", []),
         (
             "from trimmer import Problem\nmock.patch.dict(Problem.table)",

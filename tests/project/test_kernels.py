@@ -1,7 +1,5 @@
 """The runs on other kernels: each is listed or left out with its reason, and what differs fails."""
 
-from __future__ import annotations
-
 import json
 import re
 import subprocess

@@ -1,7 +1,5 @@
 """The lock files name every package exactly, with hashes, and nothing about where packages come from."""
 
-from __future__ import annotations
-
 import re
 import tomllib
 from pathlib import Path

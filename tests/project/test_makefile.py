@@ -1,7 +1,5 @@
 """What make does before the first package is there: with a real Python, and lock files without packages."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import signal

@@ -1,7 +1,5 @@
 """A test that needs a program that is not installed is skipped and says why; in CI it fails."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

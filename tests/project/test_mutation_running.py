@@ -1,7 +1,5 @@
 """Mutants are made in a copy, their outcomes are kept, and the summary counts them."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

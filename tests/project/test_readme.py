@@ -1,7 +1,5 @@
 """The README points at what is there; its blocks are run with those of the site."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Every script tells what it does when it is asked for help, and does nothing else."""
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess

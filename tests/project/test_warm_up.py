@@ -1,7 +1,5 @@
 """What compiles ahead of a run says nothing where it fails, so that here it must not."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest

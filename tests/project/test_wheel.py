@@ -1,7 +1,5 @@
 """The wheel holds all that the packages need, and works from another folder."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

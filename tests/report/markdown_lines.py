@@ -1,7 +1,5 @@
 """Markdown of a report as a text to keep: a line for each paragraph and table, without escapes."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 

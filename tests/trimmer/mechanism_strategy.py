@@ -79,10 +79,7 @@ def mechanisms(draw, most_bodies=4):
         stops=draw(_parts("stop", st.builds(Stop, between, POSITIVE, OR_ZERO, SIGNED, law))),
         frictions=draw(_parts("friction", st.builds(Friction, between, POSITIVE, st.none(), OR_ZERO))),
         forces=draw(
-            _parts(
-                "force",
-                st.builds(Force, st.sampled_from(free), SIGNED, SIGNED, SIGNED, ORDERS, OR_ZERO),
-            )
+            _parts("force", st.builds(Force, st.sampled_from(free), SIGNED, SIGNED, SIGNED, ORDERS, OR_ZERO))
         ),
     )
 

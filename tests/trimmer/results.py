@@ -1,7 +1,5 @@
 """One of each result, made when it is first asked for."""
 
-from __future__ import annotations
-
 from functools import cache
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Arguments with a few possible values take a member or its word, and nothing else."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from enum import Enum
 from pathlib import Path

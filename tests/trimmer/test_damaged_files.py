@@ -1,7 +1,5 @@
 """Damaged files end with a result or one sentence that names the file, whoever reads them."""
 
-from __future__ import annotations
-
 import io
 import json
 import wave

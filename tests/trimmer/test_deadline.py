@@ -1,7 +1,5 @@
 """What is begun before an instant is finished, and nothing is begun after it."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -4,8 +4,6 @@ Whoever leaves an argument out rests on its default, so a changed one is a chang
 new is held from when the file is written again.
 """
 
-from __future__ import annotations
-
 import inspect
 from collections.abc import Callable, Iterator
 from dataclasses import is_dataclass

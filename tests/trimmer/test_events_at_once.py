@@ -1,7 +1,5 @@
 """Events at one instant: multipliers of loops and derivatives along branches, asked from outside."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """What works on a loop takes it as its first argument, or a system and an element in its place."""
 
-from __future__ import annotations
-
 import warnings
 
 import control

@@ -1,7 +1,5 @@
 """What was meant is asked for where a word is near, and nothing where none is."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Which motions are one, and what those are called that do not repeat: the same wherever it is asked."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from pathlib import Path

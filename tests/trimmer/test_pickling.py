@@ -1,7 +1,5 @@
 """What is pickled, as for a pool of processes, behaves afterwards as before."""
 
-from __future__ import annotations
-
 import copy
 import pickle
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Bars, examples, kinds of TOML files, and words of choices: small modules that all others rest on."""
 
-from __future__ import annotations
-
 import warnings
 from pathlib import Path
 

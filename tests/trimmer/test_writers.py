@@ -1,7 +1,5 @@
 """Nothing that writes files, from Python or the command line, replaces a file of the user by default."""
 
-from __future__ import annotations
-
 import inspect
 import math
 import re

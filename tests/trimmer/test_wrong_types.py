@@ -1,7 +1,5 @@
 """A wrong type for any argument ends in a sentence that names argument and value, not in a traceback."""
 
-from __future__ import annotations
-
 import itertools
 import math
 import traceback

@@ -1,7 +1,5 @@
 """Random trimmers and random systems for the property tests, and the thesis's trimmer in exact numbers."""
 
-from __future__ import annotations
-
 import control
 import mpmath
 import numpy as np

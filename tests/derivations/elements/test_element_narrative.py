@@ -68,11 +68,7 @@ def sign(value):
 
 CASES = {
     "relay": (friction.relay, "N_n", lambda theta: mpmath.mpf("0.7") * sign(mpmath.sin(theta))),
-    "velocity": (
-        friction.coulomb_friction,
-        "N_n",
-        lambda theta: mpmath.mpf("0.4") * sign(mpmath.sin(theta)),
-    ),
+    "velocity": (friction.coulomb_friction, "N_n", lambda theta: mpmath.mpf("0.4") * sign(mpmath.sin(theta))),
     "displacement": (
         friction.coulomb_friction,
         "N_{4 m + {rest}}",

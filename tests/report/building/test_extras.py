@@ -1,7 +1,5 @@
 """Extra chapters: what makes them and where the document has them agree."""
 
-from __future__ import annotations
-
 from importlib import import_module
 
 from report.building.extras import EXTRAS

@@ -1,7 +1,5 @@
 """`trimmer judge`: a text of one's own is judged by the same build; what is wrong in its folder is told."""
 
-from __future__ import annotations
-
 import base64
 import json
 import tomllib

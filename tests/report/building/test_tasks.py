@@ -1,7 +1,5 @@
 """Tasks are done once, in several processes, and done again when their key changes."""
 
-from __future__ import annotations
-
 import os
 from functools import partial
 from pathlib import Path

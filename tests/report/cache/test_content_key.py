@@ -1,7 +1,5 @@
 """What is kept from the last build is given up when anything that it was made from has changed."""
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """What a module depends on is found from its source."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Results are kept under their keys."""
 
-from __future__ import annotations
-
 import contextlib
 import hashlib
 import io

@@ -1,7 +1,5 @@
 """Statements that can be judged whatever turns out wrong in them."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from report.judging.claim import Statement

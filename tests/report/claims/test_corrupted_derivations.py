@@ -3,8 +3,6 @@
 Noticed means that two independent ways to the same thing contradict each other, or that a verdict changes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
@@ -69,16 +67,13 @@ def _a_thousandth_in_frequency(evidence: Evidence) -> Evidence:
 
 CORRUPTIONS = {
     "potential energy with the wrong sign": Corruption(
-        _derivation(potential_energy=lambda known: -known.derivation.potential_energy),
-        "eq-2.5",
+        _derivation(potential_energy=lambda known: -known.derivation.potential_energy), "eq-2.5"
     ),
     "kinetic energy with the wrong sign": Corruption(
-        _derivation(kinetic_energy=lambda known: -known.derivation.kinetic_energy),
-        "eq-2.4",
+        _derivation(kinetic_energy=lambda known: -known.derivation.kinetic_energy), "eq-2.4"
     ),
     "dissipation without its half": Corruption(
-        _derivation(rayleigh_function=lambda known: 2 * known.derivation.rayleigh_function),
-        "eq-2.7",
+        _derivation(rayleigh_function=lambda known: 2 * known.derivation.rayleigh_function), "eq-2.7"
     ),
     "accelerations with the wrong sign": Corruption(
         _derivation(accelerations=lambda known: tuple(-each for each in known.derivation.accelerations)),

@@ -1,7 +1,5 @@
 """A made-up text copy, with what makes the real one hard to read."""
 
-from __future__ import annotations
-
 TEXT = r"""A THESIS OF NOBODY
 
 Chapter 1

@@ -1,7 +1,5 @@
 """Whether the place that a claim gives holds what the claim is about."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 

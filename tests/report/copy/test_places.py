@@ -1,7 +1,5 @@
 """Sections, paragraphs and numbered things are found where they stand in a text copy."""
 
-from __future__ import annotations
-
 import pytest
 
 from report.copy.blocks import BlockKind

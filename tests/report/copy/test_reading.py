@@ -1,7 +1,5 @@
 """A reader's copy is taken if it is the text that was judged; another one only on demand."""
 
-from __future__ import annotations
-
 import hashlib
 
 import pytest

@@ -3,8 +3,6 @@
 The repository holds no sentence of it, so that these tests are skipped where nobody has it.
 """
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 
@@ -20,10 +18,7 @@ from tests.report.copy.resolving import faults
 
 NAME = "TRIMMER_THESIS"
 MADE_UP = Places(LINES)
-WITHOUT_NUMBER = {
-    *(f"eq-A.1.{index}" for index in range(1, 5)),
-    *(f"eq-D.{index}" for index in range(1, 7)),
-}
+WITHOUT_NUMBER = {*(f"eq-A.1.{index}" for index in range(1, 5)), *(f"eq-D.{index}" for index in range(1, 7))}
 """Equations that the inventory numbers, and the thesis does not."""
 
 

@@ -1,7 +1,5 @@
 """The works that are cited, and the words by which a text cites them."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

@@ -1,7 +1,5 @@
 """The measurement of random changes: read, refused if it does not add up, printed."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The chain from a claim to its step and from a step to its lines of code; symbols, waveforms and numbers."""
 
-from __future__ import annotations
-
 import inspect
 from dataclasses import replace
 
@@ -60,10 +58,7 @@ def test_every_claim_has_a_step(steps):
 
 
 def test_a_claim_is_placed_by_its_own_line_then_its_equation_then_its_source():
-    steps = (
-        NarrativeStep("one", "One", "", (Formula("a = b", "2.9"),)),
-        NarrativeStep("two", "Two", "", ()),
-    )
+    steps = (NarrativeStep("one", "One", "", (Formula("a = b", "2.9"),)), NarrativeStep("two", "Two", "", ()))
     claims = [finding("eq-2.9", "x.py"), finding("txt-1", "x.py"), finding("txt-2", "y.py")]
     assert places(claims, steps, {"x.py": "two"}) == {"eq-2.9": "one", "txt-1": "two"}
     assert places(claims, steps, {"eq-2.9": "two"}) == {"eq-2.9": "two"}

@@ -1,7 +1,5 @@
 """One design, looked at coarsely and rendered once for all tests."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -48,14 +46,7 @@ only_drive_period = true
 """
 """Two bodies with play and friction, an open gap, and a held body."""
 COARSE = DesignSettings(
-    starts=2,
-    cells=4,
-    cell_periods=60,
-    neighbours=3,
-    trials=3,
-    most_points=12,
-    range_points=5,
-    grid=2,
+    starts=2, cells=4, cell_periods=60, neighbours=3, trials=3, most_points=12, range_points=5, grid=2
 )
 
 

@@ -1,7 +1,5 @@
 """What the report says of an axis that hunts, and of one that rests."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

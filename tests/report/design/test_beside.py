@@ -1,7 +1,5 @@
 """What is met at the point alone: the formula says what comes at other speeds, and as a mass scatters."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from report.design.tables import target_rows

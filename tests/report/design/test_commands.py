@@ -3,8 +3,6 @@
 Touches inner parts: a look that is quick enough for a test has no door.
 """
 
-from __future__ import annotations
-
 import contextlib
 import io
 import multiprocessing
@@ -107,19 +105,7 @@ def test_a_design_is_written_whole_and_again_from_what_is_kept(
 def test_a_comparison_says_what_changed(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "tight.toml").write_text(SMALL.replace("0.1 mm", "50 um"))
     assert (
-        main(
-            [
-                "compare",
-                "block.toml",
-                "tight.toml",
-                "--jobs",
-                "1",
-                "--format",
-                "html",
-                "--directory",
-                "out",
-            ]
-        )
+        main(["compare", "block.toml", "tight.toml", "--jobs", "1", "--format", "html", "--directory", "out"])
         == 0
     )
     page = (folder / "out" / "block-tight.html").read_text().replace("\N{NO-BREAK SPACE}", " ")

@@ -1,7 +1,5 @@
 """The layout of drawn mechanisms: nothing crosses, nothing is left out."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 from itertools import chain, combinations, pairwise, product
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Names, titles and files of a stranger are text in every form of a report, and act in none."""
 
-from __future__ import annotations
-
 import dataclasses
 import re
 import subprocess

@@ -1,7 +1,5 @@
 """Every section of a file that may be left out is left out of every example: a right report comes of it."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 from pathlib import Path

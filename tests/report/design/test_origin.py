@@ -1,7 +1,5 @@
 """What a report was made from and when stands below its title, and the same input gives the same bytes."""
 
-from __future__ import annotations
-
 import hashlib
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """What the time was too short for is not told as a finding."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -44,8 +42,7 @@ def test_a_branch_of_one_orbit_has_hardly_begun(down: PathSide, up: PathSide | N
 
 
 @pytest.mark.parametrize(
-    ("stroke", "beside", "expected"),
-    [(2.1e-3, False, True), (2.1e-3, True, False), (1.9e-3, False, False)],
+    ("stroke", "beside", "expected"), [(2.1e-3, False, True), (2.1e-3, True, False), (1.9e-3, False, False)]
 )
 def test_a_change_that_was_not_computed_beside_its_point_is_told_as_that(
     stroke: float, beside: bool, expected: bool

@@ -1,7 +1,5 @@
 """The report on a design: what it says, that it is whole, and that nothing of the thesis is in it."""
 
-from __future__ import annotations
-
 import dataclasses
 import html
 import re

@@ -1,7 +1,5 @@
 """The sliders in a real browser: the nearest solved motion is shown, and said to be so."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Callable, Iterator, Mapping

@@ -1,7 +1,5 @@
 """What the report says of a machine that switches: where it rests, by the balance of forces."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

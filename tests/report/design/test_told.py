@@ -1,7 +1,5 @@
 """The report on a design tells what it told: ``told.py`` says what is kept of it and renews it."""
 
-from __future__ import annotations
-
 from report.design.report import DesignReport
 from tests.report.design.told import TOLD, told
 from tests.trimmer.command_line.alike import alike

@@ -3,8 +3,6 @@
 ``python -m tests.report.design.told`` writes it anew.
 """
 
-from __future__ import annotations
-
 import tempfile
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Each figure shows what it showed when it was last looked at, and its words say what is drawn."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

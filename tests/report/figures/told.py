@@ -3,8 +3,6 @@
 ``python -m tests.report.figures.told`` writes ``told.txt`` anew; its diff is read.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 

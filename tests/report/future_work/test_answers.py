@@ -1,7 +1,5 @@
 """The answers to section 6.4: each holds, and some of what is kept for it is computed again."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 from math import cos, pi

@@ -1,7 +1,5 @@
 """Two versions of claims.json are compared claim by claim."""
 
-from __future__ import annotations
-
 import json
 
 import pytest

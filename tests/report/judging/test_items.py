@@ -1,7 +1,5 @@
 """Printed things count once, however many ways they were tried."""
 
-from __future__ import annotations
-
 from report.judging.claim import Kind
 from report.judging.finding import Finding, JudgedPart
 from report.judging.items import items

@@ -1,7 +1,5 @@
 """Numbers and formulas that a report shows: ``shown.py`` says what is kept of them and renews it."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.report.shown import FOLDER, texts

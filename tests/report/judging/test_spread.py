@@ -1,7 +1,5 @@
 """How a slip spreads: edges from data, their order, and the picture."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

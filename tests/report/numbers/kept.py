@@ -3,8 +3,6 @@
 ``python -m tests.report.numbers.kept`` writes the file anew; its diff is read.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from fractions import Fraction

@@ -5,12 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from report.numbers.equivalent_nonlinearity import (
-    FORCE,
-    listing_element,
-    printed_function,
-    right_element,
-)
+from report.numbers.equivalent_nonlinearity import FORCE, listing_element, printed_function, right_element
 from report.numbers.thesis import DRIVE_OMEGA, SMALL_GAP
 from trimmer import FrictionBacklash
 

@@ -1,7 +1,5 @@
 """All numbers that the report solves are those that were kept: ``kept.py`` sums them up and renews them."""
 
-from __future__ import annotations
-
 from tests.report.numbers.kept import KEPT, summed_up
 from tests.trimmer.command_line.alike import alike
 

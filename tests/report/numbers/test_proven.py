@@ -1,7 +1,5 @@
 """What cards say of kept proofs: a sentence where the numbers are theirs, no report where they are not."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 

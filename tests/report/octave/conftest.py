@@ -1,7 +1,5 @@
 """The programs, written once, and what GNU Octave computes with them in one run."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 from collections.abc import Mapping

@@ -1,7 +1,5 @@
 """Where the listings are compared with Python, and the Octave script that evaluates them there."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer import ViscousBacklash

@@ -1,7 +1,5 @@
 """The corrected listings, run by GNU Octave, give what the library computes."""
 
-from __future__ import annotations
-
 import control
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """The texts of the corrected listings: names, headers, language, repeatable bytes."""
 
-from __future__ import annotations
-
 import io
 import re
 import zipfile

@@ -1,7 +1,5 @@
 """Code from expressions: variables, element-wise operators, line breaks, shared subexpressions."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

@@ -1,7 +1,5 @@
 """The one script that runs all listings, as the README says, from another folder."""
 
-from __future__ import annotations
-
 import re
 import shlex
 import subprocess

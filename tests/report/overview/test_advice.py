@@ -1,7 +1,5 @@
 """Each line of advice is a box that anybody can test with ``trimmer respond``, from rest."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 

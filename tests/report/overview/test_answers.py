@@ -1,7 +1,5 @@
 """Answers and corrected results rest on claims that exist, and on numbers that were solved."""
 
-from __future__ import annotations
-
 import re
 
 from report.data.statements import read_inventory

@@ -1,7 +1,5 @@
 """What is called right follows as printed, and what is called wrong does not."""
 
-from __future__ import annotations
-
 from report.judging.verdict import Verdict
 from report.overview.balance import balance
 

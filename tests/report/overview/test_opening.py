@@ -1,7 +1,5 @@
 """The first screen: short, its numbers right, and each finding on a claim that is there."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

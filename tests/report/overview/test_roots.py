@@ -1,7 +1,5 @@
 """What changes a conclusion stands below exactly one root, and is counted once."""
 
-from __future__ import annotations
-
 from collections import Counter
 
 from report.judging.verdict import Severity

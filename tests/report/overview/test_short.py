@@ -1,7 +1,5 @@
 """The formulas of the short derivation, evaluated as they stand there."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

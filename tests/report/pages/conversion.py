@@ -1,7 +1,5 @@
 """Pandoc on a piece of Markdown, as the report uses it."""
 
-from __future__ import annotations
-
 from report.pages.pandoc import read, write
 
 

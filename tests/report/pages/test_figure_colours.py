@@ -1,7 +1,5 @@
 """Figures in the dark: what was dark is light, hues stay, and lines can be seen."""
 
-from __future__ import annotations
-
 import colorsys
 
 import pytest

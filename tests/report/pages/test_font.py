@@ -1,7 +1,5 @@
 """The mathematics font that the HTML carries."""
 
-from __future__ import annotations
-
 import pytest
 from fontTools.ttLib import TTFont
 

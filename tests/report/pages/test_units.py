@@ -1,7 +1,5 @@
 """No line ends between a number and its unit: a filter sees to it for all forms."""
 
-from __future__ import annotations
-
 import pytest
 
 from report.pages.pandoc import read, write

@@ -1,7 +1,5 @@
 """One rendering of the sample report, and one browser, for all tests that look at them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack
 from pathlib import Path

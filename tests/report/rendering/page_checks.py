@@ -5,8 +5,6 @@
 judges a report that has been built: it prints what it finds wrong and fails if that is anything.
 """
 
-from __future__ import annotations
-
 import re
 import sys
 import time

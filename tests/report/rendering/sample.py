@@ -1,7 +1,5 @@
 """A small report that holds everything which is hard to show."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import sympy
@@ -38,10 +36,7 @@ def derivation() -> tuple[DerivationStep, ...]:
             "kinetic",
             "Kinetic energy",
             "Four masses move along one line, so *T* is a sum of squares.\n\nA second paragraph, with $q_i$.",
-            (
-                Equation(KINETIC_ENERGY, "2.4"),
-                Equation(DOTS, "2.9", "A sentence before it, with $q_i$."),
-            ),
+            (Equation(KINETIC_ENERGY, "2.4"), Equation(DOTS, "2.9", "A sentence before it, with $q_i$.")),
             ("eq-2.9", "eq-2.8"),
             ("txt-5.1.2-roll-off",),
             (CODE,),

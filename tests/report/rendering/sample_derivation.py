@@ -1,7 +1,5 @@
 """What the sample report shows of a derivation besides equations: code, a picture, a slip's way, sliders."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from report.derivation.waveform_svg import WaveformPiece, waveform_svg

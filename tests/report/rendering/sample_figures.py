@@ -1,7 +1,5 @@
 """Figures of the sample report: two block diagrams, a locus that names omega along it, and a spectrum."""
 
-from __future__ import annotations
-
 import functools
 
 import numpy as np

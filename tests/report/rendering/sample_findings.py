@@ -1,7 +1,5 @@
 """Findings of every verdict, with everything that is hard to show."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 import sympy

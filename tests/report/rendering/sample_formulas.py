@@ -1,7 +1,5 @@
 """Formulas and text that are hard to show."""
 
-from __future__ import annotations
-
 import functools
 import itertools
 

@@ -1,7 +1,5 @@
 """The page on what was read counts and names what the data say."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import pytest
@@ -70,11 +68,7 @@ def test_what_was_read_is_named(document: Document) -> None:
     ],
 )
 def test_a_place_is_said_as_far_as_it_is_known(
-    document: Document,
-    lines: tuple[int, int] | None,
-    paragraph: int | None,
-    heading: str,
-    expected: str,
+    document: Document, lines: tuple[int, int] | None, paragraph: int | None, heading: str, expected: str
 ) -> None:
     finding = dataclasses.replace(document.findings[0], lines=lines, paragraph=paragraph)
     assert place(finding, Group("2", heading, (finding,))) == expected

@@ -1,7 +1,5 @@
 """The explorable: its formulas in a browser are those of Python, its solutions those of the library."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The HTML file as it is written, without a browser."""
 
-from __future__ import annotations
-
 import base64
 import html
 import io

@@ -1,7 +1,5 @@
 """Pieces of the report that are kept: only what has changed is converted and set again."""
 
-from __future__ import annotations
-
 import dataclasses
 from pathlib import Path
 

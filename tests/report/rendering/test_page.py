@@ -1,7 +1,5 @@
 """The HTML report as a whole in a real browser: silent, offline, legible, printable."""
 
-from __future__ import annotations
-
 import re
 import threading
 from collections.abc import Callable, Iterator, Mapping

@@ -1,7 +1,5 @@
 """Cards by keyboard, in a real browser: each is one tab stop until the reader goes into it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest

@@ -1,7 +1,5 @@
 """Search, filter and links among the claims, in a real browser."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest

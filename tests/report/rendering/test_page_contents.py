@@ -1,7 +1,5 @@
 """The table of contents in a real browser: it marks where the reader is."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest

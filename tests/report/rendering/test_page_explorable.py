@@ -1,7 +1,5 @@
 """The explorable in a real browser: it answers to its sliders; its picture stands where no script runs."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest

@@ -1,7 +1,5 @@
 """Zoom and read-out of figures in a real browser, by mouse and by keyboard."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Iterator

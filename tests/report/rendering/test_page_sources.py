@@ -1,7 +1,5 @@
 """The source files in the page, in a real browser: a card leads to the one that derives it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest

@@ -1,7 +1,5 @@
 """Tables in a real browser: where there is no room for columns, rows become blocks, and stay rows to hear."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest

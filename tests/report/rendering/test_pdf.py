@@ -1,7 +1,5 @@
 """The PDF, as poppler reads it."""
 
-from __future__ import annotations
-
 import dataclasses
 import subprocess
 from collections.abc import Mapping

@@ -1,7 +1,5 @@
 """The reader's own copy stands in the page as it is, and nowhere else."""
 
-from __future__ import annotations
-
 import re
 import shutil
 from collections.abc import Iterator, Mapping

@@ -1,7 +1,5 @@
 """Two renderings of one document, in two processes and two folders."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

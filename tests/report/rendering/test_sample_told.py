@@ -1,7 +1,5 @@
 """The sample's report tells what it told; ``python -m tests.report.rendering.test_sample_told`` renews it."""
 
-from __future__ import annotations
-
 from importlib.metadata import version
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """How far the corrected results hold: effects of parameters against other computations and against laws."""
 
-from __future__ import annotations
-
 from dataclasses import asdict, replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Kept maps and branches: what was made from something else, or was changed, is noticed."""
 
-from __future__ import annotations
-
 import json
 import shutil
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """The thesis's loop over friction and gap: what is not so would be noticed."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -1,7 +1,5 @@
 """Observations: each has one text, and checks that hold."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

@@ -1,7 +1,5 @@
 """The chapter on the twin in Markdown and HTML, in whole reports and not in parts."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -4,8 +4,6 @@
 laws is asked in ``tests/trimmer/contact``.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from trimmer import Mechanism

@@ -117,8 +117,7 @@ def test_two_symbols_that_print_the_same_are_refused():
 def test_names_in_letters_that_latex_lacks_are_numbers_in_their_order():
     names = ["theta", "Ж", "ſ", "ƀ", "xЖ"]  # the long s is the last letter that is printed
     mechanism = one_body(
-        bodies={name: Body(1.0) for name in names},
-        links={name: Link((GROUND, name), 1.0) for name in names},
+        bodies={name: Body(1.0) for name in names}, links={name: Link((GROUND, name), 1.0) for name in names}
     )
     found = [symbol(mechanism, "bodies", name, "mass") for name in names]
     assert found == ["m_theta", "m_2", r"m_{\text{ſ}}", "m_4", "m_5"]

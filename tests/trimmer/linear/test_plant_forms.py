@@ -1,7 +1,5 @@
 """A linear system in the forms in which people have it: of python-control, of SciPy, and tuples."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import control

@@ -1,7 +1,5 @@
 """Zeros and poles of systems, and frequencies at boundaries of what is searched."""
 
-from __future__ import annotations
-
 import math
 
 import control

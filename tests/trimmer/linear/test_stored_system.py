@@ -1,7 +1,5 @@
 """Systems that are stored and built again: with each name, matrix and state."""
 
-from __future__ import annotations
-
 import pickle
 
 import control

@@ -1,7 +1,5 @@
 """Wrong arguments: the error names the argument, its value and what is wrong."""
 
-from __future__ import annotations
-
 import math
 
 import control

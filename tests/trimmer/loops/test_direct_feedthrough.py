@@ -1,7 +1,5 @@
 """A linear system that passes a part of its input on at once: y = C x + D v."""
 
-from __future__ import annotations
-
 import math
 
 import control

@@ -1,7 +1,5 @@
 """A drive is given by its omega or by its frequency, and by one only."""
 
-from __future__ import annotations
-
 import math
 import pickle
 from dataclasses import replace

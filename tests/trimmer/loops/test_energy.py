@@ -1,7 +1,5 @@
 """Energy over one second of motion: what the pin gives is stored, or lost in dampers and friction."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

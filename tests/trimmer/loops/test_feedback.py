@@ -1,7 +1,5 @@
 """A linear system with several elements: held against other engines, closed loops and equations by hand."""
 
-from __future__ import annotations
-
 import pickle
 import warnings
 from collections.abc import Callable
@@ -51,11 +49,7 @@ NAMES = {
     "outputs": ["friction", "gap", "sat", "y"],
 }
 SERVO = control.ss(A, B, C, D, **NAMES)
-ELEMENTS = {
-    "friction": CoulombFriction(0.04, static=0.07),
-    "gap": DeadZone(0.01),
-    "sat": Saturation(0.4),
-}
+ELEMENTS = {"friction": CoulombFriction(0.04, static=0.07), "gap": DeadZone(0.01), "sat": Saturation(0.4)}
 START = {"qm": 0.3, "ql": 0.3}
 
 

@@ -1,7 +1,5 @@
 """What a linear system with several elements cannot be, and what is said then."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -27,11 +25,7 @@ RUB, SPRING = CoulombFriction(1.0), DeadZone(0.1)
 BOTH = {"rub": RUB, "spring": SPRING}
 REFUSED: Mapping[str, tuple[Callable[[], object], type[Exception], str]] = {
     "no plant": (lambda: Feedback(3, {"rub": RUB}), TypeError, "give a control.StateSpace or"),
-    "sampled": (
-        lambda: Feedback(plant(dt=0.1), {"rub": RUB}),
-        TypeError,
-        "continuous in time, not sampled",
-    ),
+    "sampled": (lambda: Feedback(plant(dt=0.1), {"rub": RUB}), TypeError, "continuous in time, not sampled"),
     "no elements": (lambda: Feedback(plant(), {}), LoopError, "elements: give at least one"),
     "a list": (lambda: Feedback(plant(), [RUB]), TypeError, "elements must be a mapping of names"),
     "no element": (

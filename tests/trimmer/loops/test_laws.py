@@ -1,7 +1,5 @@
 """Laws that every motion obeys: scaling, symmetry, shift of the start, the linear limit."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from functools import cache

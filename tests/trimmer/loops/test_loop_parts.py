@@ -1,7 +1,5 @@
 """Loops and where their motions start: what is kept, refused and shown, and states of elements at t = 0."""
 
-from __future__ import annotations
-
 import math
 
 import control

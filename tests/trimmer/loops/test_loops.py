@@ -1,7 +1,5 @@
 """Any linear system with an element, closed or driven, against `solve_ivp`."""
 
-from __future__ import annotations
-
 import math
 
 import control
@@ -61,10 +59,7 @@ def compare(
 @pytest.mark.parametrize("system", quick([THIRD_ORDER, WITH_ZERO], 1))
 @pytest.mark.parametrize("drive", [None, (*DRIVE[:2], 0.0)])
 def test_backlash(
-    element: Element,
-    tau: float,
-    system: control.StateSpace,
-    drive: tuple[float, float, float] | None,
+    element: Element, tau: float, system: control.StateSpace, drive: tuple[float, float, float] | None
 ) -> None:
     start = with_pin_in_the_middle(system)
     course = play(plant(system, drive), GAP, tau, start, 6.0)

@@ -1,7 +1,5 @@
 """What a motion gives: events in order, and the same state however it is asked for."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from itertools import pairwise

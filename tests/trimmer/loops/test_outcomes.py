@@ -1,7 +1,5 @@
 """How a motion can end, and what can be odd about it: each case has its documented outcome."""
 
-from __future__ import annotations
-
 import math
 import time
 

@@ -1,7 +1,5 @@
 """Values along a motion at many times, against the matrix exponential, which knows no steps and no blocks."""
 
-from __future__ import annotations
-
 import control
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """Event times against 30 digits, in closed loop and driven, with play, friction and stick."""
 
-from __future__ import annotations
-
 import csv
 import math
 from dataclasses import dataclass

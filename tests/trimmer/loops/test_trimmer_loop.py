@@ -1,7 +1,5 @@
 """The trimmer with play and friction against `solve_ivp`, in every configuration."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Mechanisms that maps are tested on."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.mechanism import Body, Force, Link, Mechanism, Output, Stop

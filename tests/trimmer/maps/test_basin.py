@@ -1,7 +1,5 @@
 """Basins: which motion each start leads to."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from matplotlib.figure import Figure

@@ -1,7 +1,5 @@
 """Files of maps: interrupted, gone on with, damaged, and of others."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os

@@ -1,7 +1,5 @@
 """Measures by their keys: those of the JSON of a response, in maps and on branches; what there is not."""
 
-from __future__ import annotations
-
 from functools import reduce
 from operator import getitem
 from typing import Any

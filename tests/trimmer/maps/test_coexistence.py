@@ -1,7 +1,5 @@
 """Motions that coexist, found from those of the cells around."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Maps over one number or two: cells, runners, starts, and what is refused."""
 
-from __future__ import annotations
-
 import multiprocessing
 from dataclasses import replace
 from pathlib import Path
@@ -21,10 +19,7 @@ from trimmer.maps.motion_map import MapInterruptedError
 from trimmer.runners import ProcessRunner
 
 TWIN = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play.toml")
-PLACES = {
-    "plays.bridge.gap": [40e-6, 200e-6, 400e-6],
-    "frictions.blade.force": [0.1, 1.0, 2.0, 4.0],
-}
+PLACES = {"plays.bridge.gap": [40e-6, 200e-6, 400e-6], "frictions.blade.force": [0.1, 1.0, 2.0, 4.0]}
 SERIAL = SerialRunner()
 
 

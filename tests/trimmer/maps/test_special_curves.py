@@ -1,7 +1,5 @@
 """Curves over a map: those that are found, which points lie on them, and where they meet."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 

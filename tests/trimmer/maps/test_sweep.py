@@ -1,7 +1,5 @@
 """Run-up and coast-down: closed forms, folds that are known, one motion that goes on, and refusals."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Random mechanisms of one to four bodies, and the text of small ones."""
 
-from __future__ import annotations
-
 from hypothesis import strategies as st
 
 from trimmer import Body

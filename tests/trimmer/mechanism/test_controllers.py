@@ -1,7 +1,5 @@
 """Controllers and references as data: files, places, units, and what is said of those that will not do."""
 
-from __future__ import annotations
-
 import math
 
 import control

@@ -1,7 +1,5 @@
 """What ``trimmer derive FILE`` writes as LaTeX can be set: read by pandoc without a warning, set by Typst."""
 
-from __future__ import annotations
-
 import re
 import subprocess
 from pathlib import Path

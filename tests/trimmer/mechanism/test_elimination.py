@@ -1,7 +1,5 @@
 """Equations whose rank is to be found: their solutions against the linear algebra of SciPy."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given

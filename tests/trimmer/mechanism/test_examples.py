@@ -1,7 +1,5 @@
 """The examples and the blocks of docs/mechanism.md are read, and say what they should."""
 
-from __future__ import annotations
-
 import math
 import re
 from pathlib import Path

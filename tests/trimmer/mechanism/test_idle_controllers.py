@@ -1,7 +1,5 @@
 """Controllers that never act, or never follow, are told; their zeros are taken as they are."""
 
-from __future__ import annotations
-
 import pytest
 
 from trimmer import Mechanism

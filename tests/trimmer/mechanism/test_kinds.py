@@ -1,7 +1,5 @@
 """Rotations and points: kinds and units of everything, and what is refused, as a file and as data."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """Numbers that a file leaves open: where they may stand, what is said of them, and how they are given."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

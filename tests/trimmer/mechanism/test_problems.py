@@ -1,7 +1,5 @@
 """What a mechanism that is put together wrongly is told: every place, and nothing beside them."""
 
-from __future__ import annotations
-
 import math
 import re
 

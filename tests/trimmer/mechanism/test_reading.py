@@ -1,7 +1,5 @@
 """Bad files: each problem is named with file, line, key and value, and what to do."""
 
-from __future__ import annotations
-
 import io
 import sys
 from pathlib import Path
@@ -62,9 +60,7 @@ CASES = {
         "": "line 3: bodies.a.mass: missing; add mass = 0.035",
         "mas = 1 ": "line 3: bodies.a.mas = 1: unknown key; did you mean mass?",
     },
-    "a = { mass = 1 }": {
-        "a = 1": "line 3: bodies.a = 1: give its keys in braces, as in { mass = 0.035 }",
-    },
+    "a = { mass = 1 }": {"a = 1": "line 3: bodies.a = 1: give its keys in braces, as in { mass = 0.035 }"},
     "gap = 1e-4": {
         'gap = "3 kg"': "line 10: plays.slot.gap = '3 kg': 'kg' does not measure what m does",
         'gap = "3"': "line 10: plays.slot.gap = '3': has no unit",
@@ -75,9 +71,7 @@ CASES = {
         'law = "relax"': "line 10: plays.slot.law = 'relax': did you mean relaxing?",
         'law = "soft"': "line 10: plays.slot.law = 'soft': choose relaxing, truncated or pulling",
     },
-    "damping = 0.5": {
-        "damping = -1": "line 10: plays.slot.damping = -1: must be zero or greater, in N s/m",
-    },
+    "damping = 0.5": {"damping = -1": "line 10: plays.slot.damping = -1: must be zero or greater, in N s/m"},
     "stiffness = 4": {
         "stiffness = -4": "line 10: plays.slot.stiffness = -4: must be zero or greater",
         "stiffness = 0": "line 10: plays.slot.stiffness = 0: a relaxing contact with damping",
@@ -105,9 +99,7 @@ CASES = {
         '"ab"': "name two ends, as in",
         '["a", 3]': "name two ends, as in",
     },
-    '["ground", "a"]': {
-        '["Ground", "a"]': "there is no body or pin 'Ground'; did you mean ground?",
-    },
+    '["ground", "a"]': {'["Ground", "a"]': "there is no body or pin 'Ground'; did you mean ground?"},
     "[links]": {
         'belt = { on = "ground" }\n[links]\nx = { between = ["belt", "ground"] }': "nothing to act on",
         'q = { on = "p" }\n[links]': "line 7: pins.q.on = 'p': a pin sits on a body or on the ground",
@@ -203,11 +195,7 @@ def test_a_file_without_bodies_is_told_how_to_write_one(text: str) -> None:
 
 @pytest.mark.parametrize(
     ("text", "place"),
-    [
-        ("[bodies", "(at "),
-        ("a = 1\nb =", "(at end of document)"),
-        ("a = 1\na = 2", "document"),
-    ],
+    [("[bodies", "(at "), ("a = 1\nb =", "(at end of document)"), ("a = 1\na = 2", "document")],
 )
 def test_what_is_no_toml_is_named_with_its_place(text: str, place: str) -> None:
     message = message_for(text)

@@ -1,7 +1,5 @@
 """What parts of a machine refuse, each with its sentence: structures, points, curves, walls, outputs."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

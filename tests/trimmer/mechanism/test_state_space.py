@@ -1,7 +1,5 @@
 """The state space of python-control: beside the exact motion, eigenvalues of SciPy, responses; refusals."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import control

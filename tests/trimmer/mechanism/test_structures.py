@@ -1,7 +1,5 @@
 """Structures in files: what they give, how they are written again, and every refusal with its line."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 
@@ -143,10 +141,7 @@ REFUSED = [
     (WHOLE.replace("K.mtx", "three.mtx"), 'stiffness = "three.mtx": has 3 rows, and the mass matrix 2'),
     (WHOLE.replace('"M.mtx"', "3"), 'line 2: structures.housing.mass = 3: name a file, as in mass = "M.mtx"'),
     (WHOLE.replace('"M.mtx"', "[[1], [1, 2]]"), "mass: must be a matrix, with rows of one length"),
-    (
-        WHOLE + 'damping = "C.mtx"\ndamping_ratio = 0.1\n',
-        "line 6: structures.housing.damping_ratio = 0.1",
-    ),
+    (WHOLE + 'damping = "C.mtx"\ndamping_ratio = 0.1\n', "line 6: structures.housing.damping_ratio = 0.1"),
     (WHOLE + "damping_ratio = -0.1\n", "line 5: structures.housing.damping_ratio = -0.1: must be zero or"),
     (WHOLE + 'ratio = "C.mtx"\n', "line 5: structures.housing.ratio"),
     (WHOLE + 'files = "C.mtx"\n', "line 5: structures.housing.files"),

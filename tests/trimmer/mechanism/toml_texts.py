@@ -1,7 +1,5 @@
 """Random TOML texts, written in all the ways that TOML has, with the line of each key."""
 
-from __future__ import annotations
-
 import json
 
 from hypothesis import strategies as st

@@ -1,7 +1,5 @@
 """Measures of a step: closed forms of the oscillator, a fine grid for machines with events, jumps."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

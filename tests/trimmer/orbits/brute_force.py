@@ -1,7 +1,5 @@
 """Stable periodic motions of random loops by brute force: small fixed steps, from many states."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Random loops, and the stable periodic motions that brute force finds in them."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Orbits that the first harmonic alone does not lead to: brief contacts, and several loads that slow down."""
 
-from __future__ import annotations
-
 import control
 import numpy as np
 import pytest

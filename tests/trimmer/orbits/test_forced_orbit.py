@@ -1,7 +1,5 @@
 """Exact periodic motion of driven loops."""
 
-from __future__ import annotations
-
 import control
 import numpy as np
 import pytest

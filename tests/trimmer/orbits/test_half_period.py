@@ -1,7 +1,5 @@
 """All symmetric orbits of a relay with one switch in half a period."""
 
-from __future__ import annotations
-
 import control
 import numpy as np
 import pytest
@@ -153,8 +151,7 @@ def loop_with_unequal_switches(seed: int, positive: float, negative: float) -> c
 
 
 @pytest.mark.parametrize(
-    ("seed", "positive", "negative"),
-    quick([(0, 2.3, 1.1), (1, 2.3, 1.1), (2, 1.4, 1.2), (0, 4.0, 0.6)], 1),
+    ("seed", "positive", "negative"), quick([(0, 2.3, 1.1), (1, 2.3, 1.1), (2, 1.4, 1.2), (0, 4.0, 0.6)], 1)
 )
 def test_unequal_switches_that_a_loop_was_built_for_are_found(
     seed: int, positive: float, negative: float

@@ -1,7 +1,5 @@
 """Laws of exact orbits: scaling in amplitude and time, other states and gains, disturbed motions."""
 
-from __future__ import annotations
-
 import functools
 
 import control

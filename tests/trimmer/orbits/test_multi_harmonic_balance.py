@@ -1,7 +1,5 @@
 """Harmonic balance with several harmonics converges to the exact orbit."""
 
-from __future__ import annotations
-
 import control
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """Stroke, phase, harmonics and impacts of exact orbits, beside sampled motion and closed forms."""
 
-from __future__ import annotations
-
 import math
 
 import control

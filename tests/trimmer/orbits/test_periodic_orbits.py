@@ -1,7 +1,5 @@
 """Exact limit cycles: against closed forms, long simulations, and the balance of every harmonic."""
 
-from __future__ import annotations
-
 import functools
 import math
 from itertools import pairwise

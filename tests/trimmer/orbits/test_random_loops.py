@@ -1,7 +1,5 @@
 """Each stable periodic motion that brute force finds in a random loop is in the answer."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.quick import quick

@@ -1,7 +1,5 @@
 """Orbits of a relay that are known in closed form, and which loops have the equation that finds them all."""
 
-from __future__ import annotations
-
 import math
 
 import control

@@ -1,7 +1,5 @@
 """What an answer says was searched, and that an orbit is in it once."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import FrozenInstanceError
 

@@ -1,7 +1,5 @@
 """Motion and orbits with saturation, dead zone, preload and relays with thresholds, beside other ways."""
 
-from __future__ import annotations
-
 import control
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """Lists of limit cycles by ball arithmetic: the right one is proven, any other is not."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys

@@ -4,8 +4,6 @@ What a change leaves true may be proven: each change here makes the theorem anot
 the file say what nothing verifies.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from copy import deepcopy
 from dataclasses import replace

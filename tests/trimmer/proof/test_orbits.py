@@ -1,7 +1,5 @@
 """Exact orbits by ball arithmetic: the right one is proven, and nothing that is not one."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Callable

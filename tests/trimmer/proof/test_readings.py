@@ -1,7 +1,5 @@
 """What is read of a proven orbit: held against SciPy on the equations of the file; made false, refused."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace

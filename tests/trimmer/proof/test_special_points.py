@@ -1,7 +1,5 @@
 """Special points by ball arithmetic: folds, period doublings, symmetry breakings, and what is not covered."""
 
-from __future__ import annotations
-
 import json
 import math
 import re

@@ -1,7 +1,5 @@
 """Mechanisms of the examples, with numbers set."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from trimmer import Mechanism

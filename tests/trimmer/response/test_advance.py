@@ -1,7 +1,5 @@
 """Motions that repeat up to an advance along which no force changes: conveyors, shafts, what belts carry."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Frictions that break away together: one may hold the other once it resists with its kinetic force."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -9,10 +7,7 @@ from tests.mechanisms.comparison import trusted
 from tests.mechanisms.random_mechanisms import random_mechanism
 from trimmer import Body, Force, Friction, Mechanism, simulate
 
-ON_TOP = {
-    "floor": Friction(("ground", "lower"), 0.8, 0.9),
-    "between": Friction(("lower", "upper"), 0.5, 1.0),
-}
+ON_TOP = {"floor": Friction(("ground", "lower"), 0.8, 0.9), "between": Friction(("lower", "upper"), 0.5, 1.0)}
 
 
 def test_a_block_breaks_away_from_one_that_stays() -> None:

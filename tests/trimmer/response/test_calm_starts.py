@@ -1,7 +1,5 @@
 """Orbits with an event at t = 0, which cuts the period where the map of it is not smooth."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Lines of a torus are named by the two frequencies of which they are sums."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What controlled machines settle to: rest, hunting, what follows a sine or a ramp, and slips without end."""
 
-from __future__ import annotations
-
 import control
 import numpy as np
 import pytest

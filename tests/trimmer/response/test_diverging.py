@@ -1,7 +1,5 @@
 """What grows without bound, and what only seems to."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Orbits that rest on an edge: their multipliers are those of one side, and this is said."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Events at one instant: two equal machines side by side have the multipliers of one, each twice."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What the examples settle to from rest; results survive pickling."""
 
-from __future__ import annotations
-
 import pickle
 from itertools import pairwise
 

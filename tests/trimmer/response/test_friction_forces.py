@@ -1,7 +1,5 @@
 """Forces of dry frictions that hold the same bodies: within their limits, and determined by a stated rule."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from pathlib import Path

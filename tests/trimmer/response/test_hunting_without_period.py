@@ -4,8 +4,6 @@ Numbers of the first three are random draws, on which a fixed-step program of se
 without this package, rests where is told, or hunts on.
 """
 
-from __future__ import annotations
-
 import json
 from functools import cache
 

@@ -1,7 +1,5 @@
 """What loops settle to, their branches, maps and samples: beside the same machine, by laws, on paper."""
 
-from __future__ import annotations
-
 import json
 import math
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Which of the motions that several starts settle to are one: asked of ``respond``, ``basin`` and maps."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

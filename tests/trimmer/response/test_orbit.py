@@ -1,7 +1,5 @@
 """Exact periodic motions against digits and formulas that others computed."""
 
-from __future__ import annotations
-
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 

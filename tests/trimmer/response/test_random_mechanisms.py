@@ -1,7 +1,5 @@
 """Random mechanisms: what they settle to, held against their own rules and other units."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """What mechanisms settle to: repeating motions, tori and chaos, and how sure that is."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Forces at several multiples of the drive on one body: all that is told of it is known in closed form."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

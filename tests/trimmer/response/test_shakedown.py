@@ -1,7 +1,5 @@
 """Slips that die away, each with a smaller one to follow, until friction holds all."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Simulated motions of mechanisms: events, forces and energy."""
 
-from __future__ import annotations
-
 import dataclasses
 import math
 

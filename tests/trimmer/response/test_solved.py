@@ -1,7 +1,5 @@
 """What meets no event any more is solved: forced response, undamped vibrations, rest."""
 
-from __future__ import annotations
-
 import math
 import re
 
@@ -137,10 +135,7 @@ def test_a_damper_that_a_mode_does_not_move_leaves_it_undamped() -> None:
 def test_what_is_damped_comes_to_rest_where_its_forces_balance() -> None:
     mechanism = Mechanism(
         {"one": Body(1.0), "two": Body(2.0)},
-        links={
-            "soft": Link(("ground", "one"), 3.0, 0.01),
-            "strut": Link(("one", "two"), 5.0, 0.02),
-        },
+        links={"soft": Link(("ground", "one"), 3.0, 0.01), "strut": Link(("one", "two"), 5.0, 0.02)},
         plays={"slot": Play(("ground", "two"), 7.0, 0.03, 0.4)},
         stops={"far": Stop(("ground", "two"), 9.0, 0.1, 50.0)},
         frictions={"pad": Friction(("ground", "one"), 0.0, viscous=0.1)},

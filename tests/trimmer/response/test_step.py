@@ -1,7 +1,5 @@
 """How controlled machines follow a step: public digits, and what is refused."""
 
-from __future__ import annotations
-
 from dataclasses import asdict
 
 import pytest

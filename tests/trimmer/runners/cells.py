@@ -1,7 +1,5 @@
 """Work of cells for other processes, which import nothing else for it."""
 
-from __future__ import annotations
-
 
 def zero(cell: int) -> int:
     return 0

@@ -1,7 +1,5 @@
 """Processes end when nobody waits for them, even beside one that was ended from outside."""
 
-from __future__ import annotations
-
 import multiprocessing
 import os
 import threading

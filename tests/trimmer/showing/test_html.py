@@ -1,7 +1,5 @@
 """Tables and values as HTML, data frames and short lines, of results made by hand."""
 
-from __future__ import annotations
-
 import sys
 from dataclasses import dataclass, field
 from decimal import Decimal

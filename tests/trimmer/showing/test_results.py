@@ -1,7 +1,5 @@
 """How results show themselves: short reprs, HTML for notebooks, data frames with units."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from dataclasses import is_dataclass, replace

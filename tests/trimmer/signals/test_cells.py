@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
@@ -11,11 +9,7 @@ from trimmer.signals.text_file import SignalFileError
 
 @given(
     st.lists(
-        st.one_of(
-            st.floats().map(repr),
-            st.integers().map(str),
-            st.text("0123456789.,+-eE _\t", max_size=6),
-        ),
+        st.one_of(st.floats().map(repr), st.integers().map(str), st.text("0123456789.,+-eE _\t", max_size=6)),
         min_size=1,
     ),
     st.sampled_from([None, *DecimalSign]),

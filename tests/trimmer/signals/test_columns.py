@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 import pytest
 
 from tests.trimmer.signals.reading import message_for

@@ -1,7 +1,5 @@
 """The band of a conversion, what is cut off and told: closed forms for lines, noise and flanks."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Conversion between displacement, velocity and acceleration, against motions that are known exactly."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy.integrate import cumulative_simpson

@@ -1,7 +1,5 @@
 """Faults of records: found where they were made, and nowhere else."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Where a fault begins: records of a few samples beside each limit, looked at as users do."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 

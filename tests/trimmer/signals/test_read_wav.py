@@ -1,7 +1,5 @@
 """WAV files that SciPy and the standard library wrote come back."""
 
-from __future__ import annotations
-
 import io
 import wave
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Time stamps as loggers write them: rounded, with gaps, with jitter, repeated, wrapped around."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

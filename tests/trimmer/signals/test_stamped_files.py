@@ -1,7 +1,5 @@
 """Time stamps in files: rates, gaps, rounding and scatter, told to the digit; at each limit."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -76,8 +74,7 @@ def test_a_stamp_may_be_off_by_a_twentieth_of_the_distance(stamped, late: float,
 
 
 @pytest.mark.parametrize(
-    ("pattern", "longest"),
-    [((0.9, 1.0, 1.1), 1.0 + 6.0 * 1.4826 * 0.1), ((1.0, 1.0, 1.0, 0.8, 1.2), 1.5)],
+    ("pattern", "longest"), [((0.9, 1.0, 1.1), 1.0 + 6.0 * 1.4826 * 0.1), ((1.0, 1.0, 1.0, 0.8, 1.2), 1.5)]
 )
 def test_a_gap_among_unequal_distances_is_longer_than_their_scatter(stamped, pattern, longest: float) -> None:
     for length, begins in ((longest - 0.02, [0]), (longest + 0.02, [0, 61])):

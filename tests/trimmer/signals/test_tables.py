@@ -1,7 +1,5 @@
 """Preambles, headings, units, delimiters and cells of files as loggers write them."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

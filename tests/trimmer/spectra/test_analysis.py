@@ -1,7 +1,5 @@
 """From a file to what its peaks are: the parts together, on signals whose content is known."""
 
-from __future__ import annotations
-
 import warnings
 from dataclasses import replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Averaged spectra against SciPy, Parseval and repeated trials."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy import signal as scipy_signal

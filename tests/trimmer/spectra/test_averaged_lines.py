@@ -1,7 +1,5 @@
 """Lines of averaged spectra: where one begins, which side lobes are none, what noise is beside it."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Lines closer than a window parts them: resolved, or shown as one whose uncertainty holds them, and said."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

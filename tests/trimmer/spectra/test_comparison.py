@@ -1,7 +1,5 @@
 """Measured and simulated lines: known motions are aligned, and known differences are found."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

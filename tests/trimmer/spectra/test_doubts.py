@@ -1,7 +1,5 @@
 """What makes a spectrum doubtful is told: clipping, aliasing, a record that is too short."""
 
-from __future__ import annotations
-
 import json
 import warnings
 from dataclasses import replace

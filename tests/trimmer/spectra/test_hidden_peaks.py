@@ -1,7 +1,5 @@
 """Small lines beside large ones, and how uncertain a peak says that it is, on random signals."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -68,10 +66,7 @@ def test_without_noise_a_small_line_is_exact(level: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("window", "factor"),
-    quick(zip(Window, (0.9, 1.5, 2.1, 6.5), strict=True), 1),
-)
+@pytest.mark.parametrize(("window", "factor"), quick(zip(Window, (0.9, 1.5, 2.1, 6.5), strict=True), 1))
 def test_the_uncertainty_is_that_of_repeated_measurements(window: Window, factor: float) -> None:
     """In bins the scatter is the factor that ``peaks`` states over that of the samples and their root."""
     random = np.random.default_rng(2)

@@ -1,7 +1,5 @@
 """What repeats without a drive is told by its multiples, and hum by those of the mains."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Distributions, and points that are turned into values of them."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy import stats

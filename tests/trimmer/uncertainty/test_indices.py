@@ -1,7 +1,5 @@
 """Sobol indices against functions whose indices are known."""
 
-from __future__ import annotations
-
 import sys
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Samples of the thesis's loop."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

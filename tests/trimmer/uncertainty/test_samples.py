@@ -1,7 +1,5 @@
 """Samples of mechanisms, their file, and the command."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import math

@@ -1,7 +1,5 @@
 """Samples on a real cluster whose scheduler is killed on the way."""
 
-from __future__ import annotations
-
 import json
 import os
 import signal

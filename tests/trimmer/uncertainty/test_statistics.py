@@ -1,7 +1,5 @@
 """Shares and quantiles with their intervals."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy import stats

@@ -1,7 +1,5 @@
 """The table [uncertainty] of a file: what scatters, and what cannot be used."""
 
-from __future__ import annotations
-
 import pytest
 
 from trimmer.errors import MechanismError

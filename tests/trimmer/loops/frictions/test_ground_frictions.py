@@ -1,7 +1,5 @@
 """A backlash and two frictions from the ground: the motion goes on through all sticks and slips."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 
@@ -19,11 +17,7 @@ def check(seed: int, duration: float) -> None:
     """Follow a random loop to its end: with or without drive, forces that are random or whole numbers."""
     random = np.random.default_rng([12, seed])
     gap = 10 ** random.uniform(-6, -3)
-    plays = (
-        FrictionBacklash(gap),
-        InertiaBacklash(gap),
-        ViscousBacklash(gap, 10 ** random.uniform(-5, -1)),
-    )
+    plays = (FrictionBacklash(gap), InertiaBacklash(gap), ViscousBacklash(gap, 10 ** random.uniform(-5, -1)))
     forces = 10 ** random.uniform(*FORCES[seed // 3 % 3], 2)
     if random.random() < 0.3:
         forces = 1.0 + np.round(forces)

@@ -1,7 +1,5 @@
 """Frictions in a ring: how they share the force is open, the motion is not, and it never chatters."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Motions by SciPy's `solve_ivp` with terminal events, written from the laws of the elements alone."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
