@@ -144,23 +144,6 @@ def margins(vectors: Reals, limits: Reals, forces: Reals) -> Reals:
     return inside
 
 
-def always_at_limit(vectors: Reals, limits: Reals, forces: Reals, tolerance: float = ROUNDING) -> Integers:
-    """Return which contacts are at their limit in every admissible split; only those can begin to slide.
-
-    Args:
-        vectors: ``elementary_vectors`` of the contacts, (k, m).
-        limits: F > 0, (m,).
-        forces: Any forces with the resultant, (m,).
-        tolerance: Margin below which a facet is touched.
-
-    Returns:
-        For each contact, the sign of its limit, or 0.
-    """
-    touched = margins(vectors, limits, forces) <= tolerance
-    outward = vectors[touched] * (vectors[touched] @ forces)[:, None]
-    return np.asarray(np.sign(np.sign(outward).sum(axis=0)), dtype=np.int64)
-
-
 def admissible_split(
     directions: Reals, limits: Reals, forces: Reals, pushing: Flags | None = None
 ) -> Reals | None:

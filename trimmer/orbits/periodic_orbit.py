@@ -225,21 +225,6 @@ class PeriodicOrbit(Orbit):
         row, modes = row_in_modes(self._computed, signal), self._computed.modes
         return lambda mode: row(modes[mode])
 
-    def phase_of(self, signal: LoopSignal | Displacement | str = LoopSignal.OUTPUT) -> float:
-        """Return by how much the first harmonic of a signal leads the drive, rad, in (-pi, pi].
-
-        Argument and errors are those of ``stroke_of``.
-
-        Raises:
-            ValueError: if there is no drive, or several.
-        """
-        if self.drive is None:
-            raise ValueError("without a drive there is nothing that a phase would be relative to")
-        if len(self.loop.driving) > 1:
-            raise ValueError("of several drives none is what a phase is relative to; see harmonics_of")
-        turn = np.exp(-1j * self.drive.phase)
-        return float(np.angle(self.harmonics_of(signal)[0] * turn))
-
     @cached_property
     def impacts(self) -> tuple[ImpactEvent, ...]:
         """All impacts of a period, with the speeds at which pin and load meet, in order of time."""

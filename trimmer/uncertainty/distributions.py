@@ -27,12 +27,6 @@ class Normal:
 
         return np.asarray(self.mean + self.deviation * ndtri(shares))
 
-    def share_below(self, value: float) -> float:
-        """Return which share lies below a value."""
-        from scipy.special import ndtr
-
-        return float(ndtr((value - self.mean) / self.deviation))
-
 
 @dataclass(frozen=True)
 class Uniform:
@@ -44,10 +38,6 @@ class Uniform:
     def quantile(self, shares: Reals) -> Reals:
         """Return the values below which shares of all lie, of the same shape."""
         return np.asarray(self.lowest + (self.highest - self.lowest) * shares)
-
-    def share_below(self, value: float) -> float:
-        """Return which share lies below a value."""
-        return min(max((value - self.lowest) / (self.highest - self.lowest), 0.0), 1.0)
 
 
 Distribution = Normal | Uniform

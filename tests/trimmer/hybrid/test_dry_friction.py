@@ -11,7 +11,6 @@ from scipy.optimize import linprog, lsq_linear
 from trimmer.arrays import Reals
 from trimmer.hybrid.dry_friction import (
     admissible_split,
-    always_at_limit,
     closure,
     complementary_forces,
     elementary_vectors,
@@ -103,23 +102,6 @@ def test_the_margin_is_that_of_the_limits(seed: int) -> None:
     share = 1.0 - float(margins(elementary_vectors(directions), limits, forces).min())
     assert range_of_forces(directions, (share + 1e-6) * limits, forces, 0) is not None
     assert range_of_forces(directions, share * (1.0 - 1e-4) * limits, forces, 0) is None
-
-
-@settings(deadline=None, max_examples=20)
-@given(SEEDS)
-def test_at_their_limit_are_those_that_no_split_relieves(seed: int) -> None:
-    random, directions, limits = contacts(seed)
-    forces = random.normal(size=len(limits)) * limits
-    vectors = elementary_vectors(directions)
-    share = 1.0 - float(margins(vectors, limits, forces).min())
-    limits = share * limits  # So the resultant is on the boundary.
-    signs = always_at_limit(vectors, limits, forces, tolerance=1e-9)
-    assert signs.any()
-    for contact, sign in enumerate(signs):
-        ends = range_of_forces(directions, limits * (1.0 + 1e-7), forces, contact)
-        assert ends is not None
-        relieved = ends[0] < 0.999 * limits[contact] and ends[1] > -0.999 * limits[contact]
-        assert sign == 0 if relieved else sign == np.sign(ends[0] + ends[1])
 
 
 @settings(deadline=None, max_examples=40)

@@ -16,12 +16,6 @@ def test_quantiles_are_those_of_scipy() -> None:
         np.testing.assert_allclose(own.quantile(SHARES), theirs.ppf(SHARES), rtol=1e-12)
 
 
-@pytest.mark.parametrize("distribution", [Normal(3.0, 0.2), Uniform(-1.0, 4.0)])
-def test_shares_below_invert_quantiles(distribution) -> None:
-    values = distribution.quantile(SHARES)
-    np.testing.assert_allclose([distribution.share_below(value) for value in values], SHARES, rtol=1e-9)
-
-
 @pytest.mark.parametrize("plan", list(Plan))
 def test_samples_have_the_moments_that_were_asked_for(plan: Plan) -> None:
     covariance = ((4.0, -1.5), (-1.5, 1.0))
@@ -75,11 +69,6 @@ def test_points_are_those_of_scipy_and_lie_on_no_face() -> None:
     assert np.isfinite(Normal(0.0, 1.0).quantile(faces)).all()
     assert [Plan.SOBOL.count(wanted) for wanted in (1, 2, 3, 64, 65)] == [1, 2, 4, 64, 128]
     assert Plan.LATIN_HYPERCUBE.count(65) == 65
-
-
-def test_a_uniform_distribution_ends() -> None:
-    found = [Uniform(2e-5, 6e-5).share_below(each) for each in (1e-5, 3e-5, 7e-5)]
-    assert found == pytest.approx([0, 0.25, 1])
 
 
 def test_values_are_placed_by_column_each_with_its_own_mean() -> None:
