@@ -12,14 +12,10 @@ class Deadline:
     """An instant after which no further piece of work is begun; what is under way goes on to its own end.
 
     The times are those of the clock on the wall, as the processes of a cluster share no other.
-
-    Attributes:
-        begun: When the work began, s since 1970.
-        end: The instant, s since 1970; infinite if there is none.
     """
 
-    begun: float = 0.0
-    end: float = math.inf
+    begun: float = 0.0  # When the work began, s since 1970
+    end: float = math.inf  # The instant, s since 1970; infinite if there is none
 
     @staticmethod
     def after(seconds: float) -> Deadline:

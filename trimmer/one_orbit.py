@@ -36,22 +36,16 @@ PASSES = 4
 
 @dataclass(frozen=True, eq=False)
 class ClosedCurve:
-    """An orbit, as far as it is to be compared.
+    """An orbit, as far as it is to be compared."""
 
-    Attributes:
-        period: Period, s; in drive periods where there is a drive.
-        states: States at even times, by the part of the orbit and the instant in it, (parts, instants, n):
-            one part for each drive period, or one alone.
-        sizes: Scale of each state, (n,).
-        inaccuracy: Error of the states that Newton's method may have left, as a share of the sizes.
-        path: Function from times within the period, s, (count,), to states, (count, n), where the orbit may
-            begin at any time; None where it begins with a drive period.
-    """
-
-    period: float
+    period: float  # Period, s; in drive periods where there is a drive
+    # States at even times, by the part of the orbit and the instant in it, (parts, instants, n): one part for
+    # each drive period, or one alone
     states: Reals
-    sizes: Reals
-    inaccuracy: float = 0.0
+    sizes: Reals  # Scale of each state, (n,)
+    inaccuracy: float = 0.0  # Error of the states that Newton's method may have left, as a share of the sizes
+    # Function from times within the period, s, (count,), to states, (count, n), where the orbit may begin at
+    # any time; None where it begins with a drive period
     path: Callable[[Reals], Reals] | None = None
 
 

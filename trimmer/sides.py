@@ -24,16 +24,12 @@ SEED = 5
 
 @dataclass(frozen=True, eq=False)
 class Sides:
-    """What is beside a motion.
+    """What is beside a motion."""
 
-    Attributes:
-        end: Where a motion ends, as shares of the sizes, (n,), that begins so far beside this one, as shares
-            too, (n,); None if it cannot be followed.
-        count: n.
-    """
-
+    # Where a motion ends, as shares of the sizes, (n,), that begins so far beside this one, as shares too,
+    # (n,); None if it cannot be followed
     end: Callable[[Reals], Reals | None]
-    count: int
+    count: int  # n
 
     @cached_property
     def _own(self) -> Reals | None:

@@ -19,19 +19,12 @@ from trimmer.elements.expansion import Expansion
 
 @dataclass(frozen=True)
 class GainDisks(ArrayRecord):
-    """Disks that hold N on boxes; all arrays have the same shape, with one entry per box.
+    """Disks that hold N on boxes; all arrays have the same shape, with one entry per box."""
 
-    Attributes:
-        centre: Centre of the disk, in the unit of N.
-        radius: Radius of the disk, in the unit of N.
-        u_share: Part of the radius that comes from the width in u.
-        exists: Whether the element has a describing function anywhere in the box.
-    """
-
-    centre: Complexes
-    radius: Reals
-    u_share: Reals
-    exists: Flags
+    centre: Complexes  # Centre of the disk, in the unit of N
+    radius: Reals  # Radius of the disk, in the unit of N
+    u_share: Reals  # Part of the radius that comes from the width in u
+    exists: Flags  # Whether the element has a describing function anywhere in the box
 
 
 @dataclass(frozen=True)

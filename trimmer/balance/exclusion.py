@@ -19,20 +19,13 @@ from trimmer.balance.vanishing import EmptyInterval
 
 @dataclass(frozen=True)
 class EquationInBox:
-    """N(u, x) + 1/G(x) = 0 on the box of a table of N.
+    """N(u, x) + 1/G(x) = 0 on the box of a table of N."""
 
-    Attributes:
-        response: 1/G, or the function that takes its place.
-        curve: N.
-        table: N on a coarse grid.
-        smallest_gain: Solutions with |N| below this are not looked for.
-        empty: Intervals of x, each between two breaks of the table, that are proven to hold no solution.
-    """
-
-    response: InverseGain
-    curve: ElementCurve
-    table: GainTable
-    smallest_gain: float
+    response: InverseGain  # 1/G, or the function that takes its place
+    curve: ElementCurve  # N
+    table: GainTable  # N on a coarse grid
+    smallest_gain: float  # Solutions with |N| below this are not looked for
+    # Intervals of x, each between two breaks of the table, that are proven to hold no solution
     empty: tuple[EmptyInterval, ...] = ()
 
 

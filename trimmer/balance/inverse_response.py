@@ -22,23 +22,14 @@ from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
 @dataclass(frozen=True)
 class Enclosure(ArrayRecord):
-    """Value and bounds of 1/G on n intervals of x; each field has shape (n,) and the unit of 1/G.
+    """Value and bounds of 1/G on n intervals of x; each field has shape (n,) and the unit of 1/G."""
 
-    Attributes:
-        centre: 1/G in the middle of the interval.
-        slope: d(1/G)/dx there.
-        radius: Upper bound of |1/G - centre| on the interval.
-        slope_radius: Upper bound of the change of d(1/G)/dx from its value in the middle.
-        smallest: Lower bound of |1/G| on the interval.
-        largest: Upper bound of |1/G| on the interval.
-    """
-
-    centre: Complexes
-    slope: Complexes
-    radius: Reals
-    slope_radius: Reals
-    smallest: Reals
-    largest: Reals
+    centre: Complexes  # 1/G in the middle of the interval
+    slope: Complexes  # d(1/G)/dx there
+    radius: Reals  # Upper bound of |1/G - centre| on the interval
+    slope_radius: Reals  # Upper bound of the change of d(1/G)/dx from its value in the middle
+    smallest: Reals  # Lower bound of |1/G| on the interval
+    largest: Reals  # Upper bound of |1/G| on the interval
 
 
 class Sloped(Protocol):
@@ -86,37 +77,25 @@ Number = TypeVar("Number", np.float64, np.complex128)
 
 @dataclass(frozen=True)
 class Turning:
-    """Bounds of the phase of 1/G on n intervals of x; each field has shape (n,).
+    """Bounds of the phase of 1/G on n intervals of x; each field has shape (n,)."""
 
-    Attributes:
-        direction: 1/G over its modulus in the middle of the interval; NaN where that is a root.
-        spread: Upper bound of how far the phase is from that in the middle, rad; infinite if there is none.
-        one_way: Whether the phase is proven to be monotonic.
-    """
-
-    direction: Complexes
+    direction: Complexes  # 1/G over its modulus in the middle of the interval; NaN where that is a root
+    # Upper bound of how far the phase is from that in the middle, rad; infinite if there is none
     spread: Reals
-    one_way: Flags
+    one_way: Flags  # Whether the phase is proven to be monotonic
 
 
 @dataclass(frozen=True)
 class InverseResponse:
-    """1/G(j omega) = gain * prod(j omega/reference - pole) / prod(j omega/reference - zero).
+    """1/G(j omega) = gain * prod(j omega/reference - pole) / prod(j omega/reference - zero)."""
 
-    Attributes:
-        gain: Factor, in the unit of 1/G; real for a real G.
-        poles: Poles of G over the reference, shape (number of poles,); at least as many as zeros.
-        zeros: Zeros of G over the reference, shape (number of zeros,).
-        reference: Geometric mean of the roots' magnitudes, rad/s; it keeps products within range.
-        error: How far 1/G may be off on the axis, relative: by rounding of what it was factored from, and of
-            the factoring (``trimmer.balance.factoring_error``). All bounds allow for it, as long as it is
-            at most ``LARGEST_ERROR``; what holds beyond is not certain.
-    """
-
-    gain: complex
-    poles: Complexes
-    zeros: Complexes
-    reference: float
+    gain: complex  # Factor, in the unit of 1/G; real for a real G
+    poles: Complexes  # Poles of G over the reference, shape (number of poles,); at least as many as zeros
+    zeros: Complexes  # Zeros of G over the reference, shape (number of zeros,)
+    reference: float  # Geometric mean of the roots' magnitudes, rad/s; it keeps products within range
+    # How far 1/G may be off on the axis, relative: by rounding of what it was factored from, and of the
+    # factoring (``trimmer.balance.factoring_error``). All bounds allow for it, as long as it is at most
+    # ``LARGEST_ERROR``; what holds beyond is not certain.
     error: float = 0.0
 
     @classmethod

@@ -29,15 +29,10 @@ _POWERS_OF_J = np.array([1.0, 1.0j, -1.0, -1.0j])
 
 @dataclass(frozen=True)
 class BoundedPolynomial:
-    """A polynomial in a real variable, with how far off its complex coefficients may be.
+    """A polynomial in a real variable, with how far off its complex coefficients may be."""
 
-    Attributes:
-        values: Coefficients of rising powers, shape (order + 1,).
-        bounds: Bounds of the errors of their real and imaginary parts, as real and imaginary parts.
-    """
-
-    values: Complexes
-    bounds: Complexes
+    values: Complexes  # Coefficients of rising powers, shape (order + 1,)
+    bounds: Complexes  # Bounds of the errors of their real and imaginary parts, as real and imaginary parts
 
     def __add__(self, other: BoundedPolynomial) -> BoundedPolynomial:
         order = max(self.values.size, other.values.size)

@@ -113,19 +113,11 @@ def _settled(equation: EquationInBox, cells: Cells, found: _Solutions) -> tuple[
 
 @dataclass(frozen=True)
 class SearchedRegion:
-    """Solutions in u and x, and where they were looked for.
+    """Solutions in u and x, and where they were looked for."""
 
-    Attributes:
-        method: How, in words.
-        result: Solutions and undecided boxes.
-        omegas: Range of angular frequency that was searched, rad/s.
-        outside_excluded: Whether it is proven that there are none outside that range.
-        smallest_gain: |N| below which none were looked for, in the unit of N; 0 if it is proven that there
-            are none either.
-    """
-
-    method: str
-    result: SearchResult
-    omegas: tuple[float, float]
-    outside_excluded: bool
+    method: str  # How, in words
+    result: SearchResult  # Solutions and undecided boxes
+    omegas: tuple[float, float]  # Range of angular frequency that was searched, rad/s
+    outside_excluded: bool  # Whether it is proven that there are none outside that range
+    # |N| below which none were looked for, in the unit of N; 0 if it is proven that there are none either
     smallest_gain: float

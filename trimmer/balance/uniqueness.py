@@ -24,19 +24,12 @@ from trimmer.balance.inverse_response import InverseGain, Sloped
 
 @dataclass(frozen=True)
 class CellTest:
-    """Result of the tests of n boxes, shapes (n,); nothing is proven of a box that leaves the domain of N.
+    """Result of the tests of n boxes, shapes (n,); nothing is proven of a box that leaves the domain of N."""
 
-    Attributes:
-        empty: Whether the box is proven to hold no solution.
-        single: Whether its region is proven to hold at most one.
-        u: Where the linear part puts the solution, its u; within the region.
-        x: Its x.
-    """
-
-    empty: Flags
-    single: Flags
-    u: Reals
-    x: Reals
+    empty: Flags  # Whether the box is proven to hold no solution
+    single: Flags  # Whether its region is proven to hold at most one
+    u: Reals  # Where the linear part puts the solution, its u; within the region
+    x: Reals  # Its x
 
 
 def examine(response: InverseGain, curve: ElementCurve, cells: Cells, regions: Cells) -> CellTest:

@@ -75,29 +75,17 @@ def _order(response: InverseResponse, place: float) -> int:
 
 @dataclass(frozen=True)
 class _Neighbourhood:
-    """One side of a pole on the axis; frequencies and distances are over the reference of the response.
+    """One side of a pole on the axis; frequencies and distances are over the reference of the response."""
 
-    Attributes:
-        place: Im s of the pole.
-        side: 1 above it, -1 below it.
-        order: k.
-        size: |C| over the scale of N.
-        heading: Phase of C less that of N in the limit, rad.
-        turns: ±j/D of each other root, with the sign that r has them.
-        lag: gamma over frequency.
-        largest: |N| over its scale up to which its phase is known.
-        small: What is known of that phase.
-    """
-
-    place: float
-    side: float
-    order: int
-    size: float
-    heading: float
-    turns: Complexes
-    lag: float
-    largest: float
-    small: SmallGains
+    place: float  # Im s of the pole
+    side: float  # 1 above it, -1 below it
+    order: int  # k
+    size: float  # |C| over the scale of N
+    heading: float  # Phase of C less that of N in the limit, rad
+    turns: Complexes  # ±j/D of each other root, with the sign that r has them
+    lag: float  # gamma over frequency
+    largest: float  # |N| over its scale up to which its phase is known
+    small: SmallGains  # What is known of that phase
 
     @classmethod
     def of(cls, response: InverseResponse, small: SmallGains, place: float, side: float) -> _Neighbourhood:

@@ -26,18 +26,13 @@ class Command:
     """A subcommand of ``trimmer``.
 
     A module that defines one is imported for ``trimmer --help``, so it imports what is slow inside ``run``.
-
-    Attributes:
-        name: The word that selects it.
-        help: One line for the list of commands.
-        configure: Adds the command's options to its parser. Each command gets ``--quiet`` beside them.
-        run: Does the work and returns the exit code. An error that the user can correct it raises as a
-            ``trimmer.errors.TrimmerError``.
-        examples: Uses that its help shows.
     """
 
-    name: str
-    help: str
+    name: str  # The word that selects it
+    help: str  # One line for the list of commands
+    # Adds the command's options to its parser. Each command gets ``--quiet`` beside them.
     configure: Callable[[ArgumentParser], None]
+    # Does the work and returns the exit code. An error that the user can correct it raises as a
+    # ``trimmer.errors.TrimmerError``.
     run: Callable[[Namespace], int]
-    examples: tuple[Example, ...] = ()
+    examples: tuple[Example, ...] = ()  # Uses that its help shows

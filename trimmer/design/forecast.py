@@ -100,19 +100,12 @@ def is_regular(trial: Trial, targets: tuple[Target, ...]) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class Forecast:
-    """The forecast over one number or two.
+    """The forecast over one number or two."""
 
-    Attributes:
-        targets: What is wanted.
-        scans: Trials over each number alone.
-        nominal: Logarithms of what the targets bound at the file's own point, (targets,).
-        regular: Whether the motion there repeats as wanted.
-    """
-
-    targets: tuple[Target, ...]
-    scans: tuple[Scan, ...]
-    nominal: Reals
-    regular: bool
+    targets: tuple[Target, ...]  # What is wanted
+    scans: tuple[Scan, ...]  # Trials over each number alone
+    nominal: Reals  # Logarithms of what the targets bound at the file's own point, (targets,)
+    regular: bool  # Whether the motion there repeats as wanted
 
     def best(self, offset: Reals, avoided: tuple[Reals, ...] = ()) -> tuple[Reals, float]:
         """Return the factors, as logarithms, with the largest margin of all targets, and that margin.

@@ -45,63 +45,38 @@ Line = tuple[int, int, float]
 
 @dataclass(frozen=True, eq=False)
 class GridMotion:
-    """What a mechanism does with some numbers.
+    """What a mechanism does with some numbers."""
 
-    Attributes:
-        kind: What the motion is; None where none was found.
-        period_count: Drive periods after which it repeats; None if it does not.
-        measures: In the order of what was asked; not a number where it has none.
-        duration: Time that the curves span, s.
-        curves: Of each signal at even instants, in its unit, (signals, points).
-        lines: Of each signal p, k and amplitude of its largest lines, at p/k of the drive.
-    """
-
-    kind: MotionKind | None
-    period_count: int | None
-    measures: tuple[float, ...]
-    duration: float
-    curves: Reals
+    kind: MotionKind | None  # What the motion is; None where none was found
+    period_count: int | None  # Drive periods after which it repeats; None if it does not
+    measures: tuple[float, ...]  # In the order of what was asked; not a number where it has none
+    duration: float  # Time that the curves span, s
+    curves: Reals  # Of each signal at even instants, in its unit, (signals, points)
+    # Of each signal p, k and amplitude of its largest lines, at p/k of the drive
     lines: tuple[tuple[Line, ...], ...]
 
 
 @dataclass(frozen=True, eq=False)
 class SolvedGrid:
-    """Motions over a grid of numbers.
+    """Motions over a grid of numbers."""
 
-    Attributes:
-        numbers: The numbers.
-        values: Of each the values on the grid, rising.
-        targets: Those whose measures are taken.
-        signals: Names of the signals, with their units.
-        motions: By the values, the last number running fastest.
-    """
-
-    numbers: tuple[VariedNumber, ...]
-    values: tuple[tuple[float, ...], ...]
-    targets: tuple[Target, ...]
-    signals: tuple[tuple[str, str], ...]
-    motions: tuple[GridMotion, ...]
+    numbers: tuple[VariedNumber, ...]  # The numbers
+    values: tuple[tuple[float, ...], ...]  # Of each the values on the grid, rising
+    targets: tuple[Target, ...]  # Those whose measures are taken
+    signals: tuple[tuple[str, str], ...]  # Names of the signals, with their units
+    motions: tuple[GridMotion, ...]  # By the values, the last number running fastest
 
 
 @dataclass(frozen=True)
 class GridWork:
-    """The work of one point of the grid, which a process or a cluster may do.
+    """The work of one point of the grid, which a process or a cluster may do."""
 
-    Attributes:
-        mechanism: The mechanism; its outputs hold the signals.
-        places: Dotted places of the values.
-        asked: What is measured.
-        signals: Names of the outputs of which curves are kept.
-        most_periods: Drive periods to wait at most.
-        switched: Whether the motion is looked at from its start until all rests.
-    """
-
-    mechanism: Mechanism
-    places: tuple[str, ...]
-    asked: tuple[MeasureOfPart, ...]
-    signals: tuple[str, ...]
-    most_periods: int
-    switched: bool
+    mechanism: Mechanism  # The mechanism; its outputs hold the signals
+    places: tuple[str, ...]  # Dotted places of the values
+    asked: tuple[MeasureOfPart, ...]  # What is measured
+    signals: tuple[str, ...]  # Names of the outputs of which curves are kept
+    most_periods: int  # Drive periods to wait at most
+    switched: bool  # Whether the motion is looked at from its start until all rests
 
     def __call__(self, values: tuple[float, ...]) -> tuple[tuple[float, ...], GridMotion]:
         """Return what the mechanism does from its start with these values."""

@@ -33,16 +33,12 @@ _ROUNDING = 1e-15
 class CornerElement(Element):
     """A static odd element of two slopes, one of them zero, with a corner at either threshold.
 
-    Attributes:
-        threshold: Input at the corner, > 0, in the unit of the input.
-        slope: Output per input on the inclined part, > 0.
-
     Raises:
         ValueError: if either is not positive and finite.
     """
 
-    threshold: float
-    slope: float = 1.0
+    threshold: float  # Input at the corner, > 0, in the unit of the input
+    slope: float = 1.0  # Output per input on the inclined part, > 0
 
     constant_from = 1.0
     """1: an amplitude below the threshold never reaches a corner."""

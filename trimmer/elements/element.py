@@ -373,12 +373,7 @@ def _scalar_if_0d(values: NDArray[Number]) -> NDArray[Number]:
 @final
 @dataclass(frozen=True)
 class ElementLocus(Drawn):
-    """The curve -1/N of an element; ``plot`` draws it with an arrow towards larger amplitudes.
+    """The curve -1/N of an element; ``plot`` draws it with an arrow towards larger amplitudes."""
 
-    Attributes:
-        element: The element.
-        omega: Angular frequency, rad/s; needed if N depends on it.
-    """
-
-    element: Element
-    omega: float | None = None
+    element: Element  # The element
+    omega: float | None = None  # Angular frequency, rad/s; needed if N depends on it

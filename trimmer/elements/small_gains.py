@@ -49,24 +49,15 @@ class SmallGains:
 
     There -``behind`` |N|/scale <= δ <= ``steepest`` √(|N|/scale), and δ >= ``gentlest`` √(|N|/scale) if
     |N| >= ``COASTING`` scale (lag omega)². Everywhere |N| >= min(``LEAST`` scale (lag omega)², largest).
-
-    Attributes:
-        direction: Limit of N/|N| for N to 0.
-        scale: Factor on N.
-        lag: gamma/omega, s; 0 for a load that does not coast.
-        steepest: See above, >= 0.
-        gentlest: See above, >= 0; if it is positive, δ is so wherever N is not zero.
-        behind: See above, >= 0.
-        reach: |N|/scale up to which the bounds hold; may be infinite.
     """
 
-    direction: complex
-    scale: float
-    lag: float
-    steepest: float = STEEPEST
-    gentlest: float = GENTLEST
-    behind: float = 0.0
-    reach: float = BACKLASH_LARGEST
+    direction: complex  # Limit of N/|N| for N to 0
+    scale: float  # Factor on N
+    lag: float  # gamma/omega, s; 0 for a load that does not coast
+    steepest: float = STEEPEST  # See above, >= 0
+    gentlest: float = GENTLEST  # See above, >= 0; if it is positive, δ is so wherever N is not zero
+    behind: float = 0.0  # See above, >= 0
+    reach: float = BACKLASH_LARGEST  # |N|/scale up to which the bounds hold; may be infinite
 
     @property
     def largest(self) -> float:

@@ -31,21 +31,13 @@ INSERTED = 5
 
 
 class Crossings(NamedTuple):
-    """Enclosures of solutions.
+    """Enclosures of solutions."""
 
-    Attributes:
-        rows: The trimmer of each, shape (m,).
-        lower: Frequency below it, in units of the reference, shape (m,).
-        upper: Frequency above it.
-        u: gap / amplitude near it.
-        doubtful: Trimmers for which an enclosure may be missing, or be none, shape (n,).
-    """
-
-    rows: Places
-    lower: Reals
-    upper: Reals
-    u: Reals
-    doubtful: Flags
+    rows: Places  # The trimmer of each, shape (m,)
+    lower: Reals  # Frequency below it, in units of the reference, shape (m,)
+    upper: Reals  # Frequency above it
+    u: Reals  # gap / amplitude near it
+    doubtful: Flags  # Trimmers for which an enclosure may be missing, or be none, shape (n,)
 
 
 def crossings(responses: Responses, omegas: Reals) -> Crossings:

@@ -15,19 +15,13 @@ LOUD = 0.5
 
 
 class FrequencyGrid(NamedTuple):
-    """Points along omega, each field of shape (n, points).
+    """Points along omega, each field of shape (n, points)."""
 
-    Attributes:
-        omega: In units of the references, rising.
-        loud: Whether |1/G| is small enough for a limit cycle to be near; the next two count only there.
-        lag: Phase lag that N needs, rad, from -π to π.
-        h: ln |N| - ln |1/G|, with N of that lag; 0 at a limit cycle. Beyond the lags that N can have, with
-            N of the nearest lag.
-    """
-
-    omega: Reals
-    loud: Flags
-    lag: Reals
+    omega: Reals  # In units of the references, rising
+    loud: Flags  # Whether |1/G| is small enough for a limit cycle to be near; the next two count only there
+    lag: Reals  # Phase lag that N needs, rad, from -π to π
+    # ln |N| - ln |1/G|, with N of that lag; 0 at a limit cycle. Beyond the lags that N can have, with N of
+    # the nearest lag.
     h: Reals
 
     @property

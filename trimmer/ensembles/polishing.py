@@ -21,23 +21,14 @@ SLACK = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class CycleSolutions(ArrayRecord):
-    """Solutions of harmonic balance, each of shape (m,).
+    """Solutions of harmonic balance, each of shape (m,)."""
 
-    Attributes:
-        omega: In units of the references.
-        u: gap / amplitude.
-        gain: N.
-        sine: Of the angle between the curves; positive if Loeb's criterion holds.
-        residual: |1 + N G|.
-        found: Whether Newton's method ended within the enclosure.
-    """
-
-    omega: Reals
-    u: Reals
-    gain: Complexes
-    sine: Reals
-    residual: Reals
-    found: Flags
+    omega: Reals  # In units of the references
+    u: Reals  # gap / amplitude
+    gain: Complexes  # N
+    sine: Reals  # Of the angle between the curves; positive if Loeb's criterion holds
+    residual: Reals  # |1 + N G|
+    found: Flags  # Whether Newton's method ended within the enclosure
 
 
 def polished(responses: Responses, crossings: Crossings) -> CycleSolutions:

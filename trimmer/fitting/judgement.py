@@ -26,40 +26,24 @@ NAMED = 6
 
 @dataclass(frozen=True)
 class Excess:
-    """A line that the fit misses by more than the noise.
+    """A line that the fit misses by more than the noise."""
 
-    Attributes:
-        output: Name of the output.
-        order: p and k of the line at p/k of the drive.
-        ratio: Modulus of the difference over its standard deviation in noise, 1.4 in the mean square.
-        difference: Modulus of the difference, in the unit of the signal.
-        share: That over the measured line.
-    """
-
-    output: str
-    order: tuple[int, int]
-    ratio: float
-    difference: float
-    share: float
+    output: str  # Name of the output
+    order: tuple[int, int]  # p and k of the line at p/k of the drive
+    ratio: float  # Modulus of the difference over its standard deviation in noise, 1.4 in the mean square
+    difference: float  # Modulus of the difference, in the unit of the signal
+    share: float  # That over the measured line
 
 
 @dataclass(frozen=True)
 class Judgement:
-    """How well a fit explains a measurement.
+    """How well a fit explains a measurement."""
 
-    Attributes:
-        chi_square: Sum of the squares of the whitened residual.
-        freedom: Number of residuals less unknowns and the origin of time.
-        probability: That noise alone gives as much or more.
-        excesses: Lines that are missed, largest ratio first.
-        sentences: What is to be said, without full stops; the first one is the verdict.
-    """
-
-    chi_square: float
-    freedom: int
-    probability: float
-    excesses: tuple[Excess, ...]
-    sentences: tuple[str, ...]
+    chi_square: float  # Sum of the squares of the whitened residual
+    freedom: int  # Number of residuals less unknowns and the origin of time
+    probability: float  # That noise alone gives as much or more
+    excesses: tuple[Excess, ...]  # Lines that are missed, largest ratio first
+    sentences: tuple[str, ...]  # What is to be said, without full stops; the first one is the verdict
 
     @property
     def reduced(self) -> float:

@@ -45,32 +45,21 @@ _BLOCK = 8192
 
 @dataclass(frozen=True, eq=False)
 class MeasuredLines:
-    """A measured motion as lines.
+    """A measured motion as lines."""
 
-    Attributes:
-        signals: The record of each output, SI, all with the same times.
-        frequency: That of the drive, Hz.
-        found: Whether it was found in the measurement; else it was given.
-        period_count: Drive periods k after which the motion repeats.
-        lines: Complex amplitudes at p/k of the drive, p = 1 ... m, with t = 0 at the first sample, in the
-            units of the signals, (m, outputs).
-        factors: Cholesky factors of the covariance of real or imaginary parts, (m, outputs, outputs).
-        freedom: Degrees of freedom of the noise that is estimated for a line.
-        strays: Lines at no multiple of 1/k of the drive, largest first.
-        noiseless: Whether the noise was so small that ``SMALLEST_NOISE`` stands for it.
-        by_itself: Whether there is no drive: then what is told of it is meant of the vibration, and its
-            frequency is a datum too.
-    """
-
-    signals: Mapping[str, Signal]
-    frequency: float
-    found: bool
-    period_count: int
+    signals: Mapping[str, Signal]  # The record of each output, SI, all with the same times
+    frequency: float  # That of the drive, Hz
+    found: bool  # Whether it was found in the measurement; else it was given
+    period_count: int  # Drive periods k after which the motion repeats
+    # Complex amplitudes at p/k of the drive, p = 1 ... m, with t = 0 at the first sample, in the units of the
+    # signals, (m, outputs).
     lines: Complexes
-    factors: Complexes
-    freedom: float
-    strays: tuple[StrayLine, ...]
-    noiseless: bool
+    factors: Complexes  # Cholesky factors of the covariance of real or imaginary parts, (m, outputs, outputs)
+    freedom: float  # Degrees of freedom of the noise that is estimated for a line
+    strays: tuple[StrayLine, ...]  # Lines at no multiple of 1/k of the drive, largest first
+    noiseless: bool  # Whether the noise was so small that ``SMALLEST_NOISE`` stands for it
+    # Whether there is no drive: then what is told of it is meant of the vibration, and its frequency is a
+    # datum too
     by_itself: bool = False
 
     @property

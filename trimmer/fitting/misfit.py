@@ -22,19 +22,13 @@ SMALLER = 1e-2
 
 @dataclass(frozen=True, eq=False)
 class Fitted:
-    """A motion of the model, shifted in time so that it agrees best.
+    """A motion of the model, shifted in time so that it agrees best."""
 
-    Attributes:
-        motion: The motion.
-        angle: By which its first line is turned, rad.
-        lines: Its lines after that, (m, outputs).
-        residual: Real and imaginary parts of the whitened differences, (2 m outputs,), and without a drive
-            the difference of the frequencies over its deviation.
-    """
-
-    motion: ModelMotion
-    angle: float
-    lines: Complexes
+    motion: ModelMotion  # The motion
+    angle: float  # By which its first line is turned, rad
+    lines: Complexes  # Its lines after that, (m, outputs)
+    # Real and imaginary parts of the whitened differences, (2 m outputs,), and without a drive the difference
+    # of the frequencies over its deviation
     residual: Reals
 
     @property

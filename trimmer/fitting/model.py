@@ -40,23 +40,14 @@ class ModelMotion:
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """The motion of a mechanism or a loop over its unknown numbers.
+    """The motion of a mechanism or a loop over its unknown numbers."""
 
-    Attributes:
-        subject: The mechanism or loop, driven at the measured frequency, or without a drive.
-        unknowns: The numbers.
-        outputs: Names of the outputs that are measured.
-        derivatives: How often each of them is differentiated.
-        period_count: Drive periods k after which the motion is to repeat.
-        count: Number m of lines.
-    """
-
-    subject: Subject
-    unknowns: Sequence[Unknown]
-    outputs: tuple[str, ...]
-    derivatives: tuple[int, ...]
-    period_count: int
-    count: int
+    subject: Subject  # The mechanism or loop, driven at the measured frequency, or without a drive
+    unknowns: Sequence[Unknown]  # The numbers
+    outputs: tuple[str, ...]  # Names of the outputs that are measured
+    derivatives: tuple[int, ...]  # How often each of them is differentiated
+    period_count: int  # Drive periods k after which the motion is to repeat
+    count: int  # Number m of lines
 
     def subject_at(self, coordinates: Reals) -> Subject:
         """Return the mechanism or loop with the numbers of coordinates, (unknowns,)."""

@@ -38,20 +38,14 @@ NARROW = 1e-7
 
 @dataclass(frozen=True, eq=False)
 class ProfileSide:
-    """One side of a profile.
+    """One side of a profile."""
 
-    Attributes:
-        end: Coordinate at which the interval ends; None where it is open.
-        reached: Coordinate of the farthest place that was tried and still fits.
-        lost: Whether the motion is lost beyond ``reached``, or jumps to one that does not fit, so that it is
-            not the noise that ends the interval there.
-        better: A fit that is better than the one it began with, if one was met.
-    """
-
-    end: float | None
-    reached: float
+    end: float | None  # Coordinate at which the interval ends; None where it is open
+    reached: float  # Coordinate of the farthest place that was tried and still fits
+    # Whether the motion is lost beyond ``reached``, or jumps to one that does not fit, so that it is not the
+    # noise that ends the interval there
     lost: bool = False
-    better: Fitted | None = None
+    better: Fitted | None = None  # A fit that is better than the one it began with, if one was met
 
 
 @dataclass(frozen=True)
@@ -93,21 +87,13 @@ class _Bracket:
 
 @dataclass(frozen=True, eq=False)
 class MisfitProfile:
-    """The profile of one number about a fit.
+    """The profile of one number about a fit."""
 
-    Attributes:
-        misfit: The misfit.
-        best: The fit.
-        jacobian: Its derivative, (residuals, unknowns).
-        place: Which unknown.
-        allowed: Excess of chi-square at the ends of the interval.
-    """
-
-    misfit: Misfit
-    best: Fitted
-    jacobian: Reals
-    place: int
-    allowed: float
+    misfit: Misfit  # The misfit
+    best: Fitted  # The fit
+    jacobian: Reals  # Its derivative, (residuals, unknowns)
+    place: int  # Which unknown
+    allowed: float  # Excess of chi-square at the ends of the interval
 
     def side(self, sign: float) -> ProfileSide:
         """Follow the profile to one side, +1 or -1, until the excess of chi-square is what is allowed."""

@@ -17,21 +17,13 @@ NEAR, NEAREST = 0.4, 0.05
 
 @dataclass(frozen=True)
 class StrayLine:
-    """A line between the harmonics of the drive.
+    """A line between the harmonics of the drive."""
 
-    Attributes:
-        output: Name of the output.
-        frequency: Hz.
-        amplitude: In the unit of the signal.
-        ratio: Its power over that of the noise around it.
-        fraction: (p, q) if it is at p/q of the drive, q up to 8; None for another.
-    """
-
-    output: str
-    frequency: float
-    amplitude: float
-    ratio: float
-    fraction: tuple[int, int] | None
+    output: str  # Name of the output
+    frequency: float  # Hz
+    amplitude: float  # In the unit of the signal
+    ratio: float  # Its power over that of the noise around it
+    fraction: tuple[int, int] | None  # (p, q) if it is at p/q of the drive, q up to 8; None for another
 
 
 def fraction_of(frequency: float, drive: float, within: float) -> tuple[int, int] | None:

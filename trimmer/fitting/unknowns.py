@@ -28,19 +28,13 @@ USUAL_OF_LOOP = ("element", "elements", "frictions")
 
 @dataclass(frozen=True)
 class Unknown:
-    """A number that is fitted.
+    """A number that is fitted."""
 
-    Attributes:
-        place: Its dotted place.
-        unit: SI unit.
-        start: Its value in the file.
-        positive: Whether its coordinate is the logarithm of the value over the start; else the coordinate is
-            the difference from the start over the start's modulus (1 rad for a phase).
-    """
-
-    place: str
-    unit: str
-    start: float
+    place: str  # Its dotted place
+    unit: str  # SI unit
+    start: float  # Its value in the file
+    # Whether its coordinate is the logarithm of the value over the start; else the coordinate is the
+    # difference from the start over the start's modulus (1 rad for a phase)
     positive: bool
 
     @property

@@ -32,18 +32,13 @@ BALANCED = 1e-10
 
 @dataclass(frozen=True, eq=False)
 class Balance:
-    """A periodic motion whose forces balance in all harmonics up to an order.
+    """A periodic motion whose forces balance in all harmonics up to an order."""
 
-    Attributes:
-        coefficients: c_n of q = Re Σ c_n exp(i n omega t / periods) of each body, m, n from 0, shape
-            (bodies, periods order + 1).
-        periods: Drive periods after which it repeats.
-        residual: Largest imbalance of a harmonic, relative to the largest force.
-    """
-
+    # c_n of q = Re Σ c_n exp(i n omega t / periods) of each body, m, n from 0, shape (bodies, periods order +
+    # 1)
     coefficients: Complexes
-    periods: int
-    residual: float
+    periods: int  # Drive periods after which it repeats
+    residual: float  # Largest imbalance of a harmonic, relative to the largest force
 
     @property
     def converged(self) -> bool:

@@ -26,17 +26,11 @@ class Decay:
 
 @dataclass(frozen=True, eq=False)
 class PeriodicWaveform:
-    """Re Σ c_n exp(i n omega t), n = 0 ... H, less a decay.
+    """Re Σ c_n exp(i n omega t), n = 0 ... H, less a decay."""
 
-    Attributes:
-        coefficients: c_0 (real), c_1 ... c_H in the unit of the signal, shape (H + 1,).
-        omega: Angular frequency, rad/s.
-        decay: What is subtracted, None for nothing.
-    """
-
-    coefficients: Complexes
-    omega: float
-    decay: Decay | None = None
+    coefficients: Complexes  # c_0 (real), c_1 ... c_H in the unit of the signal, shape (H + 1,).
+    omega: float  # Angular frequency, rad/s
+    decay: Decay | None = None  # What is subtracted, None for nothing
 
     @property
     def period(self) -> float:

@@ -48,16 +48,11 @@ ARGUMENTS = (
 
 @dataclass(frozen=True)
 class SymbolsOfMechanism:
-    """A mechanism in symbols, with what they stand for.
+    """A mechanism in symbols, with what they stand for."""
 
-    Attributes:
-        mechanism: The mechanism; what is zero in numbers is left out.
-        quantities: All its symbols and functions of time, with their values.
-        arguments: A name of Python for each symbol of its matrices and for each displacement of a body.
-    """
-
-    mechanism: SymbolicMechanism
-    quantities: tuple[ValuedQuantity, ...]
+    mechanism: SymbolicMechanism  # The mechanism; what is zero in numbers is left out
+    quantities: tuple[ValuedQuantity, ...]  # All its symbols and functions of time, with their values
+    # A name of Python for each symbol of its matrices and for each displacement of a body
     arguments: Mapping[sympy.Expr, str]
 
 

@@ -52,19 +52,12 @@ LONGEST_INDEX = 24
 
 @dataclass(frozen=True)
 class Stem:
-    """How the symbol of something about a part begins, and what it stands for.
+    """How the symbol of something about a part begins, and what it stands for."""
 
-    Attributes:
-        of: A field of the part, or a word for a function of time.
-        form: The letter; ``%s`` stands for the letter of the symbol that the part carries.
-        meaning: What it is; ``%s`` stands for the name of the part.
-        unit: Its SI unit.
-    """
-
-    of: str
-    form: str
-    meaning: str
-    unit: str
+    of: str  # A field of the part, or a word for a function of time
+    form: str  # The letter; ``%s`` stands for the letter of the symbol that the part carries
+    meaning: str  # What it is; ``%s`` stands for the name of the part
+    unit: str  # Its SI unit
 
 
 @dataclass(frozen=True)

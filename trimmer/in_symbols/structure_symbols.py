@@ -37,23 +37,14 @@ _WORDS: Mapping[str, str] = MappingProxyType({"mobility": "inverse mass"})
 
 @dataclass(frozen=True)
 class StructureSymbol:
-    """Something of a structure that has a symbol.
+    """Something of a structure that has a symbol."""
 
-    Attributes:
-        of: What it is, by which it is asked for.
-        letter: Its letter.
-        index: What follows the name of the structure in its index.
-        meaning: What it is, in plain words.
-        unit: Its SI unit.
-        value: Its number; None for a function of time.
-    """
-
-    of: str
-    letter: str
-    index: str
-    meaning: str
-    unit: str
-    value: float | None
+    of: str  # What it is, by which it is asked for
+    letter: str  # Its letter
+    index: str  # What follows the name of the structure in its index
+    meaning: str  # What it is, in plain words
+    unit: str  # Its SI unit
+    value: float | None  # Its number; None for a function of time
 
 
 def symbols_of(mechanism: Mechanism, name: str) -> Iterator[StructureSymbol]:

@@ -34,20 +34,13 @@ class Margin(NamedTuple):
 
 @dataclass(frozen=True)
 class Margins:
-    """How far a loop is from -1.
+    """How far a loop is from -1."""
 
-    Attributes:
-        lower_gain: Largest factor below 1 of the gain at which the closed loop is at its limit; 0 if there is
-            none.
-        upper_gain: The least one above 1; infinite if there is none.
-        phase: Least phase that may be lost, or won if it is negative, rad; infinite if there is none.
-        modulus: Least distance of L from -1.
-    """
-
+    # Largest factor below 1 of the gain at which the closed loop is at its limit; 0 if there is none
     lower_gain: Margin
-    upper_gain: Margin
-    phase: Margin
-    modulus: Margin
+    upper_gain: Margin  # The least one above 1; infinite if there is none
+    phase: Margin  # Least phase that may be lost, or won if it is negative, rad; infinite if there is none
+    modulus: Margin  # Least distance of L from -1
 
     @property
     def gain(self) -> Margin:
@@ -104,17 +97,11 @@ def _crossings(omegas: Reals, values: Reals, function: Callable[[float], float])
 
 @dataclass(frozen=True, eq=False)
 class StandingStates:
-    """What of x' = A x, or of x <- x + A x, neither dies nor grows like an exponential.
+    """What of x' = A x, or of x <- x + A x, neither dies nor grows like an exponential."""
 
-    Attributes:
-        free: States that may have any value, for ever.
-        running: States that grow with a power of the time.
-        rest: A without all that, which has no eigenvalue 0, (m, m).
-    """
-
-    free: tuple[int, ...]
-    running: tuple[int, ...]
-    rest: Reals
+    free: tuple[int, ...]  # States that may have any value, for ever
+    running: tuple[int, ...]  # States that grow with a power of the time
+    rest: Reals  # A without all that, which has no eigenvalue 0, (m, m)
 
 
 def standing_states(matrix: Reals) -> StandingStates:

@@ -26,15 +26,11 @@ CRITICAL_POINT = -1.0
 
 @dataclass(frozen=True)
 class LowPass:
-    """Low-pass behaviour relative to the gain at zero frequency.
+    """Low-pass behaviour relative to the gain at zero frequency."""
 
-    Attributes:
-        bandwidth: Lowest frequency at which |G| falls 3 dB below that gain, rad/s; infinite if it never does.
-        crossings: All frequencies at which |G| crosses that level, rad/s, rising.
-    """
-
+    # Lowest frequency at which |G| falls 3 dB below that gain, rad/s; infinite if it never does
     bandwidth: float
-    crossings: tuple[float, ...]
+    crossings: tuple[float, ...]  # All frequencies at which |G| crosses that level, rad/s, rising
 
 
 @dataclass(frozen=True, repr=False)

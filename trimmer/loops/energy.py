@@ -103,23 +103,14 @@ class EnergyBalance(Tabular):
 
 @dataclass(frozen=True)
 class _Sampled:
-    """Signals of a motion at m times.
+    """Signals of a motion at m times."""
 
-    Attributes:
-        q: Displacements of the bodies, shape (4, m), m.
-        rate: Their velocities, shape (4, m), m/s.
-        bridge: Displacement of the bridge relative to the motor, shape (m,), m.
-        bridge_rate: Its velocity, shape (m,), m/s.
-        forces: Forces between bodies, shape (number of components, m), N.
-        sliding: Rates of the displacements that these act against, in the same shape, m/s.
-    """
-
-    q: Reals
-    rate: Reals
-    bridge: Reals
-    bridge_rate: Reals
-    forces: Reals
-    sliding: Reals
+    q: Reals  # Displacements of the bodies, shape (4, m), m
+    rate: Reals  # Their velocities, shape (4, m), m/s
+    bridge: Reals  # Displacement of the bridge relative to the motor, shape (m,), m
+    bridge_rate: Reals  # Its velocity, shape (m,), m/s
+    forces: Reals  # Forces between bodies, shape (number of components, m), N
+    sliding: Reals  # Rates of the displacements that these act against, in the same shape, m/s
 
 
 @overload

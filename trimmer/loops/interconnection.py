@@ -31,31 +31,21 @@ NEGLIGIBLE = 1e-12
 class Interconnection:
     """x' = A x + B v + drive_push d, with the output v_k of component k and its input e = C x + drive_gain d.
 
-    Attributes:
-        A: State matrix of the linear system, n x n; its units follow from those of the states.
-        B: Input matrix, n x m for m components.
-        C: Output matrix, m x n.
-        drive_push: What the drives do to the rates of the states, n x number of drives.
-        drive_gain: Factors with which the drives add to the inputs, m x number of drives.
-        components: The m components.
-        labels: Their names, for events.
-        drives: What is prescribed, d.
-        element_factors: The first components make up the nonlinear elements; the output of each is the sum of
-            those of its components with these factors.
-
     Raises:
         IllPosedLoopError: if a force acts without delay on a rate on which it depends.
         UnsupportedMotionError: if a relay would slide along the edge of its dead zone.
     """
 
-    A: Reals
-    B: Reals
-    C: Reals
-    drive_push: Reals
-    drive_gain: Reals
-    components: tuple[Component, ...]
-    labels: tuple[str, ...]
-    drives: tuple[Drive, ...]
+    A: Reals  # State matrix of the linear system, n x n; its units follow from those of the states
+    B: Reals  # Input matrix, n x m for m components
+    C: Reals  # Output matrix, m x n
+    drive_push: Reals  # What the drives do to the rates of the states, n x number of drives
+    drive_gain: Reals  # Factors with which the drives add to the inputs, m x number of drives
+    components: tuple[Component, ...]  # The m components
+    labels: tuple[str, ...]  # Their names, for events
+    drives: tuple[Drive, ...]  # What is prescribed, d
+    # The first components make up the nonlinear elements; the output of each is the sum of those of its
+    # components with these factors
     element_factors: tuple[float, ...]
 
     def __post_init__(self) -> None:
@@ -80,20 +70,13 @@ class Interconnection:
 
 @dataclass(frozen=True, eq=False)
 class Connection:
-    """An element between an output and an input of a linear system.
+    """An element between an output and an input of a linear system."""
 
-    Attributes:
-        parts: Its components with the factors of their outputs.
-        labels: Their names.
-        push: What its output does to the rates of the states, (n,).
-        row: What its input takes of the states, (n,).
-        drive_gain: What it takes of the drives, (number of drives,); nothing if it is empty.
-    """
-
-    parts: Sequence[tuple[Component, float]]
-    labels: Sequence[str]
-    push: Reals
-    row: Reals
+    parts: Sequence[tuple[Component, float]]  # Its components with the factors of their outputs
+    labels: Sequence[str]  # Their names
+    push: Reals  # What its output does to the rates of the states, (n,)
+    row: Reals  # What its input takes of the states, (n,)
+    # What it takes of the drives, (number of drives,); nothing if it is empty
     drive_gain: tuple[float, ...] = ()
 
 
@@ -143,23 +126,14 @@ def effect(row: Reals, column: Reals) -> float:
 
 @dataclass(frozen=True)
 class StateLayout:
-    """Positions in the extended state.
+    """Positions in the extended state."""
 
-    Attributes:
-        order: Number of states of the plant, which come first.
-        first_states: Position of the first own state of each component.
-        sine: Position of the first drive's sine; its cosine follows, then those of the others.
-        size: Number of entries; the last one is one.
-        drives: What is prescribed.
-        following: Places of the states that follow from others.
-    """
-
-    order: int
-    first_states: tuple[int, ...]
-    sine: int
-    size: int
-    drives: tuple[Drive, ...]
-    following: tuple[int, ...] = ()
+    order: int  # Number of states of the plant, which come first
+    first_states: tuple[int, ...]  # Position of the first own state of each component
+    sine: int  # Position of the first drive's sine; its cosine follows, then those of the others
+    size: int  # Number of entries; the last one is one
+    drives: tuple[Drive, ...]  # What is prescribed
+    following: tuple[int, ...] = ()  # Places of the states that follow from others
 
     ramp = False
     """Time itself forces no loop."""

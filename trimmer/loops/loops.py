@@ -35,12 +35,9 @@ AT_REST: Mapping[str, float] = ReadOnly({})
 
 
 class Loop(ABC):
-    """A linear system with switched elements, whose motion ``simulate`` follows.
+    """A linear system with switched elements, whose motion ``simulate`` follows."""
 
-    Attributes:
-        start: States of the linear system with which a motion begins, by name; the others are 0.
-    """
-
+    # States of the linear system with which a motion begins, by name; the others are 0
     start: Mapping[str, float]
 
     def __repr__(self) -> str:

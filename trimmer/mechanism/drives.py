@@ -42,14 +42,10 @@ def sines_in(mechanism: Mechanism) -> dict[str, SineReference]:
 
 
 class Drives(NamedTuple):
-    """What drives a mechanism beside its frequency.
+    """What drives a mechanism beside its frequency."""
 
-    Attributes:
-        periods: Periods of the frequency after which all that is used returns; 0 if that takes too long.
-        ratios: Frequency of each that is used over that of the mechanism; a fraction, if all returns.
-    """
-
-    periods: int
+    periods: int  # Periods of the frequency after which all that is used returns; 0 if that takes too long
+    # Frequency of each that is used over that of the mechanism; a fraction, if all returns
     ratios: Mapping[str, float]
 
 

@@ -22,19 +22,13 @@ _Row = dict[int, tuple[float, float]]
 
 @dataclass(frozen=True, eq=False)
 class Solutions:
-    """The solutions x = particular + directions a of E x = b, for n unknowns and any a, (s,).
+    """The solutions x = particular + directions a of E x = b, for n unknowns and any a, (s,)."""
 
-    Attributes:
-        free: Numbers of the unknowns that are a, (s,).
-        directions: Null vectors of E, (n, s): of the free unknowns, each has one at 1 and the others at 0.
-        particular: That solution with the free unknowns at 0, (n,).
-        consistent: Whether there is a solution; else the particular one counts for nothing.
-    """
-
-    free: Integers
+    free: Integers  # Numbers of the unknowns that are a, (s,)
+    # Null vectors of E, (n, s): of the free unknowns, each has one at 1 and the others at 0
     directions: Reals
-    particular: Reals
-    consistent: bool
+    particular: Reals  # That solution with the free unknowns at 0, (n,)
+    consistent: bool  # Whether there is a solution; else the particular one counts for nothing
 
 
 def solutions(equations: Reals, right: Reals) -> Solutions:

@@ -27,17 +27,11 @@ _FEWEST = ("one row", "one point", "two points")
 
 @dataclass(frozen=True)
 class RowForm:
-    """What a row holds.
+    """What a row holds."""
 
-    Attributes:
-        numbers: What each number measures, by its name in dotted places.
-        example: How such a list is written.
-        points: Fewest points of a curve; 0 of other lists, which have at least one row.
-    """
-
-    numbers: Mapping[str, NumberField]
-    example: str
-    points: int = 0
+    numbers: Mapping[str, NumberField]  # What each number measures, by its name in dotted places
+    example: str  # How such a list is written
+    points: int = 0  # Fewest points of a curve; 0 of other lists, which have at least one row
 
     @property
     def abscissa(self) -> str | None:

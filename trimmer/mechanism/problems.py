@@ -25,17 +25,11 @@ NOTHING = _Nothing.NOTHING
 
 @dataclass(frozen=True)
 class Problem:
-    """Something that is wrong with a mechanism.
+    """Something that is wrong with a mechanism."""
 
-    Attributes:
-        place: Names that lead there, such as ``("plays", "bridge", "gap")``.
-        reason: What is wrong and what to do.
-        value: What was given; ``NOTHING`` if there is nothing to show.
-    """
-
-    place: tuple[str, ...]
-    reason: str
-    value: object = NOTHING
+    place: tuple[str, ...]  # Names that lead there, such as ``("plays", "bridge", "gap")``
+    reason: str  # What is wrong and what to do
+    value: object = NOTHING  # What was given; ``NOTHING`` if there is nothing to show
 
     def sentence(self, written: object = NOTHING) -> str:
         """Return place, value, as it stands in a file if it was converted since, and reason."""

@@ -32,17 +32,11 @@ class Range(Enum):
 
 @dataclass(frozen=True)
 class NumberField:
-    """A field of a part that is a number.
+    """A field of a part that is a number."""
 
-    Attributes:
-        unit: SI unit as text, such as ``N/m``.
-        example: How it may be written as text in a file.
-        range: Which values will do.
-    """
-
-    unit: str
-    example: str
-    range: Range = Range.ANY
+    unit: str  # SI unit as text, such as ``N/m``
+    example: str  # How it may be written as text in a file
+    range: Range = Range.ANY  # Which values will do
 
     def reason_against(self, value: object) -> str:
         """Return why a value cannot be used, as a piece of a message; empty if it can.

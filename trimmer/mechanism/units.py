@@ -32,17 +32,11 @@ class UnitError(ValueError):
 
 @dataclass(frozen=True)
 class MeasurementUnit:
-    """A unit: scale · pi^half_turns in kilograms, metres, seconds and radians.
+    """A unit: scale · pi^half_turns in kilograms, metres, seconds and radians."""
 
-    Attributes:
-        scale: Factor to the SI unit, without powers of pi.
-        dimension: Powers of kilogram, metre, second and radian.
-        half_turns: Power of pi in the factor.
-    """
-
-    scale: Fraction
-    dimension: tuple[int, int, int, int]
-    half_turns: int = 0
+    scale: Fraction  # Factor to the SI unit, without powers of pi
+    dimension: tuple[int, int, int, int]  # Powers of kilogram, metre, second and radian
+    half_turns: int = 0  # Power of pi in the factor
 
     def __mul__(self, other: MeasurementUnit) -> MeasurementUnit:
         kilogram, metre, second, radian = map(sum, zip(self.dimension, other.dimension, strict=True))

@@ -23,23 +23,14 @@ from trimmer.hybrid.work import Log
 
 @dataclass(frozen=True, eq=False)
 class Course:
-    """A motion between two instants.
+    """A motion between two instants."""
 
-    Attributes:
-        modes: The modes of the system.
-        begin: The instant at which it begins.
-        end: The instant at which it ends.
-        ending: Why it ends there.
-        duration: s.
-        log: Its segments; times count from its start.
-    """
-
-    modes: Modes[Any]
-    begin: Instant
-    end: Instant
-    ending: Ending
-    duration: float
-    log: Log
+    modes: Modes[Any]  # The modes of the system
+    begin: Instant  # The instant at which it begins
+    end: Instant  # The instant at which it ends
+    ending: Ending  # Why it ends there
+    duration: float  # s
+    log: Log  # Its segments; times count from its start
 
     @cached_property
     def nodes(self) -> Nodes:
@@ -154,16 +145,9 @@ class Course:
 
 @dataclass(frozen=True, eq=False)
 class Strobe:
-    """A motion seen once a period.
+    """A motion seen once a period."""
 
-    Attributes:
-        states: At the start and after each period, (periods + 1, n).
-        counts: Events of each period by kind, (periods, kinds).
-        end: The instant at which it ends.
-        ending: Why it ends there.
-    """
-
-    states: Reals
-    counts: Integers
-    end: Instant
-    ending: Ending
+    states: Reals  # At the start and after each period, (periods + 1, n)
+    counts: Integers  # Events of each period by kind, (periods, kinds)
+    end: Instant  # The instant at which it ends
+    ending: Ending  # Why it ends there

@@ -71,19 +71,12 @@ class OutputMeasures:
 
 @dataclass(frozen=True, eq=False)
 class Measures:
-    """Measures of a motion, each computed when it is asked for.
+    """Measures of a motion, each computed when it is asked for."""
 
-    Attributes:
-        course: The motion, over whole drive periods, or without a drive over one period of its own.
-        flow: What moves.
-        period_count: Number k of drive periods after which it returns; 1 for a window of one that does not.
-        periods: Number of drive periods it spans.
-    """
-
-    course: Course
-    flow: Flow
-    period_count: int
-    periods: int
+    course: Course  # The motion, over whole drive periods, or without a drive over one period of its own
+    flow: Flow  # What moves
+    period_count: int  # Number k of drive periods after which it returns; 1 for a window of one that does not
+    periods: int  # Number of drive periods it spans
 
     @cached_property
     def outputs(self) -> Mapping[str, OutputMeasures]:

@@ -34,16 +34,12 @@ TOUCHING = (Phase.UPPER, Phase.LOWER, Phase.EITHER)
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """A part whose status is a part of a mode.
+    """A part whose status is a part of a mode."""
 
-    Attributes:
-        name: Its name.
-        phases: The phase that each status belongs to; others belong to none that counts.
-        mirror: Status in the mirror image of a motion, of those for which it is another.
-    """
-
-    name: str
+    name: str  # Its name
+    # The phase that each status belongs to; others belong to none that counts
     phases: Mapping[int, Phase] = field(default_factory=dict)
+    # Status in the mirror image of a motion, of those for which it is another
     mirror: Mapping[int, int] = field(default_factory=dict)
 
     @cached_property

@@ -22,22 +22,14 @@ from trimmer.runners.runner import Result
 
 @dataclass(frozen=True)
 class RecordFile:
-    """A kind of file of results: its header, and what its lines are called.
+    """A kind of file of results: its header, and what its lines are called."""
 
-    Attributes:
-        kind: How such a file begins.
-        key: The key of the header that tells the kind; its value is the version of the format.
-        version: The version that is written.
-        many: What the file holds, for messages, such as ``map`` or ``samples``.
-        one: What a line is, such as ``cell of a map``.
-        others: What a file may have been begun with, by the key of its header in which that shows.
-    """
-
-    kind: FileKind
-    key: str
-    version: int
-    many: str
-    one: str
+    kind: FileKind  # How such a file begins
+    key: str  # The key of the header that tells the kind; its value is the version of the format
+    version: int  # The version that is written
+    many: str  # What the file holds, for messages, such as ``map`` or ``samples``
+    one: str  # What a line is, such as ``cell of a map``
+    # What a file may have been begun with, by the key of its header in which that shows
     others: Mapping[str, str]
 
     def begin(self, path: Path, header: Mapping[str, Any], *, overwrite: bool = False) -> None:

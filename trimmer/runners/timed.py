@@ -20,19 +20,13 @@ def nothing(cell: object) -> None:
 
 @dataclass(frozen=True)
 class TimedRunner:
-    """Does cells with another runner until an instant; each that was begun is finished.
+    """Does cells with another runner until an instant; each that was begun is finished."""
 
-    Attributes:
-        runner: Who does them.
-        deadline: The instant.
-        instead: The result of a cell that is not done; None leaves it out. It can be pickled.
-        told: Is told how many cells of how many have come back.
-    """
-
-    runner: Runner
-    deadline: Deadline
+    runner: Runner  # Who does them
+    deadline: Deadline  # The instant
+    # The result of a cell that is not done; None leaves it out. It can be pickled.
     instead: Callable[..., object] = nothing
-    told: Callable[[int, int], None] = _nobody
+    told: Callable[[int, int], None] = _nobody  # Is told how many cells of how many have come back
 
     def results(self, work: Callable[[Cell], Result], cells: Iterable[Cell]) -> Iterator[Result]:
         """Yield the results of the cells as they come."""

@@ -29,20 +29,13 @@ class NumberedLines:
     """Lines of a file, which are split into cells when a column is read.
 
     A file of a million lines held as cells takes far longer.
-
-    Attributes:
-        path: The file.
-        numbers: Number of each line, from 1.
-        texts: The lines.
-        delimiter: Sign between cells; None if a line is one cell.
-        closing: Whether the delimiter ends each line too, which makes no further cell.
     """
 
-    path: Path
-    numbers: Sequence[int]
-    texts: Sequence[str]
-    delimiter: Delimiter | None
-    closing: bool
+    path: Path  # The file
+    numbers: Sequence[int]  # Number of each line, from 1
+    texts: Sequence[str]  # The lines
+    delimiter: Delimiter | None  # Sign between cells; None if a line is one cell
+    closing: bool  # Whether the delimiter ends each line too, which makes no further cell
 
     def __getitem__(self, places: slice) -> NumberedLines:
         """Return the lines of a slice."""
@@ -75,20 +68,13 @@ class NumberedLines:
 
 @dataclass(frozen=True)
 class CsvTable:
-    """A CSV file as headings and lines of cells.
+    """A CSV file as headings and lines of cells."""
 
-    Attributes:
-        path: The file.
-        headings: Heading of each column, empty text for one without; the tuple is empty if the file has no
-            heading.
-        width: Number of columns.
-        data: Lines of data, at least one.
-    """
-
-    path: Path
+    path: Path  # The file
+    # Heading of each column, empty text for one without; the tuple is empty if the file has no heading
     headings: tuple[str, ...]
-    width: int
-    data: NumberedLines
+    width: int  # Number of columns
+    data: NumberedLines  # Lines of data, at least one
 
     @property
     def lines(self) -> Sequence[int]:

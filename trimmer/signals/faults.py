@@ -61,20 +61,15 @@ def _found(signal: Signal, runs: _Runs) -> Iterator[Fault]:
 
 @dataclass(frozen=True, eq=False)
 class _Runs:
-    """Runs of equal samples, and the step of the converter.
+    """Runs of equal samples, and the step of the converter."""
 
-    Attributes:
-        values: Samples, shape (n,).
-        begins, lengths: Place of the first sample of each run, and number of samples, shape (m,).
-        levels: Different values, rising, shape (k,).
-        step: Smallest difference of two of them.
-    """
-
+    # Samples, shape (n,). begins, lengths: Place of the first sample of each run, and number of samples,
+    # shape (m,).
     values: Reals
     begins: Places
     lengths: Places
-    levels: Reals
-    step: float
+    levels: Reals  # Different values, rising, shape (k,)
+    step: float  # Smallest difference of two of them
 
     @classmethod
     def of(cls, values: Reals) -> _Runs:

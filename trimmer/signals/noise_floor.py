@@ -19,17 +19,11 @@ _HANN_BANDWIDTH = 1.5
 
 @dataclass(frozen=True, eq=False)
 class Powers:
-    """Variance of a record in each bin of its spectrum with a Hann window.
+    """Variance of a record in each bin of its spectrum with a Hann window."""
 
-    Attributes:
-        frequency: Frequencies, Hz, shape (m,), from that on which is told from the mean.
-        total: Variance in each bin, in the square of the signal's unit, shape (m,).
-        floor: The part of it that is noise, or anything without lines.
-    """
-
-    frequency: Reals
-    total: Reals
-    floor: Reals
+    frequency: Reals  # Frequencies, Hz, shape (m,), from that on which is told from the mean
+    total: Reals  # Variance in each bin, in the square of the signal's unit, shape (m,)
+    floor: Reals  # The part of it that is noise, or anything without lines
 
 
 def powers(values: Reals, rate: float) -> Powers:

@@ -21,19 +21,12 @@ _FEWEST_LEFT = 16
 
 @dataclass(frozen=True)
 class OmegaKernel:
-    """(j omega)^n in a band, as a filter whose kernel is short.
+    """(j omega)^n in a band, as a filter whose kernel is short."""
 
-    Attributes:
-        times: n.
-        band: The band.
-        rate: Sample rate, Hz.
-        reach: Half length of the kernel, in samples.
-    """
-
-    times: int
-    band: Band
-    rate: float
-    reach: int
+    times: int  # n
+    band: Band  # The band
+    rate: float  # Sample rate, Hz
+    reach: int  # Half length of the kernel, in samples
 
     @classmethod
     def of(cls, source: Signal, times: int, band: Band) -> OmegaKernel:

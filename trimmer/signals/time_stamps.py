@@ -34,27 +34,17 @@ _WRAPPED = 0.5
 
 @dataclass(frozen=True)
 class Spacing:
-    """How the samples of a record lie in time.
+    """How the samples of a record lie in time."""
 
-    Attributes:
-        rate: Sample rate, Hz: the mean one within the stretches.
-        begins: Place of the first sample of each stretch without a gap, from 0; the first is 0.
-        equal: Whether samples lie at equal distances, as far as the stamps can tell.
-        rounding: Last digit of the stamps, s, if they are rounded to more than ``STAMP_TOLERANCE``; else 0.
-        rate_uncertainty: How far off the rate can be because of that, relative.
-        jitter: Standard deviation of the stamps from equal distances, s.
-        worst: Place of the sample whose distance to the last is the most unusual.
-        usual: Usual distance of samples, s.
-    """
-
-    rate: float
-    begins: tuple[int, ...]
-    equal: bool
+    rate: float  # Sample rate, Hz: the mean one within the stretches
+    begins: tuple[int, ...]  # Place of the first sample of each stretch without a gap, from 0; the first is 0
+    equal: bool  # Whether samples lie at equal distances, as far as the stamps can tell
+    # Last digit of the stamps, s, if they are rounded to more than ``STAMP_TOLERANCE``; else 0
     rounding: float
-    rate_uncertainty: float
-    jitter: float
-    worst: int
-    usual: float
+    rate_uncertainty: float  # How far off the rate can be because of that, relative
+    jitter: float  # Standard deviation of the stamps from equal distances, s
+    worst: int  # Place of the sample whose distance to the last is the most unusual
+    usual: float  # Usual distance of samples, s
 
 
 def spacing_of(times: Reals, lines: Sequence[int], place: str) -> Spacing:

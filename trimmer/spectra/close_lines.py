@@ -39,21 +39,13 @@ APART = 1.0
 
 @dataclass(frozen=True)
 class SpectralLine:
-    """A line of a spectrum with its standard deviations.
+    """A line of a spectrum with its standard deviations."""
 
-    Attributes:
-        place: In bins.
-        amplitude: Complex.
-        spread: Standard deviation of the place, bins.
-        amplitude_spread: Of the amplitude.
-        resolved: Whether it is a steady sine, as far as the noise lets see.
-    """
-
-    place: float
-    amplitude: complex
-    spread: float
-    amplitude_spread: float
-    resolved: bool = True
+    place: float  # In bins
+    amplitude: complex  # Complex
+    spread: float  # Standard deviation of the place, bins
+    amplitude_spread: float  # Of the amplitude
+    resolved: bool = True  # Whether it is a steady sine, as far as the noise lets see
 
 
 def chains(window: Window, places: Reals) -> list[Places]:

@@ -39,19 +39,12 @@ BETWEEN = 0.25
 
 @dataclass(frozen=True, eq=False)
 class LineFit:
-    """Sines fitted to the bins around lines.
+    """Sines fitted to the bins around lines."""
 
-    Attributes:
-        places: In bins, rising, (k,).
-        amplitudes: Complex, (k,).
-        left: What they leave, whitened, real parts before imaginary ones, (2 m,).
-        slopes: Its derivative by places, then by real and imaginary parts of each amplitude, (2 m, 3 k).
-    """
-
-    places: Reals
-    amplitudes: Complexes
-    left: Reals
-    slopes: Reals
+    places: Reals  # In bins, rising, (k,)
+    amplitudes: Complexes  # Complex, (k,)
+    left: Reals  # What they leave, whitened, real parts before imaginary ones, (2 m,)
+    slopes: Reals  # Its derivative by places, then by real and imaginary parts of each amplitude, (2 m, 3 k)
 
     @property
     def misfit(self) -> float:
@@ -93,18 +86,12 @@ class LineFit:
 
 @dataclass(frozen=True, eq=False)
 class Bins:
-    """Bins around lines that are close to each other.
+    """Bins around lines that are close to each other."""
 
-    Attributes:
-        spectrum: The spectrum.
-        bins: Numbers of the bins, (m,).
-        data: What other lines leave there, (m,).
-        whitener: Makes noise in the bins independent and of variance 1 in real and imaginary parts, (m, m).
-    """
-
-    spectrum: Spectrum
-    bins: Places
-    data: Complexes
+    spectrum: Spectrum  # The spectrum
+    bins: Places  # Numbers of the bins, (m,)
+    data: Complexes  # What other lines leave there, (m,)
+    # Makes noise in the bins independent and of variance 1 in real and imaginary parts, (m, m)
     whitener: Reals
 
     def left_by(self, places: Reals, amplitudes: Complexes) -> Complexes:

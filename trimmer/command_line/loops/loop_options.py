@@ -23,15 +23,11 @@ CHANNELS = ("displacement", "both")
 
 @dataclass(frozen=True)
 class ElementChoice:
-    """What a choice of ``--element`` takes.
+    """What a choice of ``--element`` takes."""
 
-    Attributes:
-        needed: The options that it needs, in the order of the element's arguments.
-        optional: The options that it takes besides, which are the arguments that follow, each with the value
-            it has if it is not given.
-    """
-
-    needed: tuple[str, ...]
+    needed: tuple[str, ...]  # The options that it needs, in the order of the element's arguments
+    # The options that it takes besides, which are the arguments that follow, each with the value it has if it
+    # is not given
     optional: Mapping[str, float] = field(default_factory=dict)
 
 

@@ -56,44 +56,27 @@ _SMALLEST_HARMONIC = 1e-4
 
 @dataclass(frozen=True)
 class PredictedFrequencies:
-    """Frequencies that the model predicts.
+    """Frequencies that the model predicts."""
 
-    Attributes:
-        source: Name of the trimmer: that of the thesis, or a parameter file.
-        natural_frequencies: Frequencies of the natural modes, Hz; 0 for an overdamped one.
-        gap: Total clearance of the backlash, m; None if no limit cycles were asked for.
-        limit_cycles: Frequencies of the stable limit cycles, Hz.
-        own_frequency: That with which a mechanism without a drive repeats, in the measurement, Hz.
-    """
-
-    source: str
-    natural_frequencies: tuple[float, ...]
-    gap: float | None
-    limit_cycles: tuple[float, ...]
+    source: str  # Name of the trimmer: that of the thesis, or a parameter file
+    natural_frequencies: tuple[float, ...]  # Frequencies of the natural modes, Hz; 0 for an overdamped one
+    gap: float | None  # Total clearance of the backlash, m; None if no limit cycles were asked for
+    limit_cycles: tuple[float, ...]  # Frequencies of the stable limit cycles, Hz
+    # That with which a mechanism without a drive repeats, in the measurement, Hz
     own_frequency: float | None = None
 
 
 @dataclass(frozen=True)
 class ShownSignal:
-    """What is shown of a signal.
+    """What is shown of a signal."""
 
-    Attributes:
-        file: Name of its file.
-        analysis: Its spectrum.
-        predictions: Frequencies that the model predicts.
-        chosen: Its recording, and what is wrong with it.
-        averaged: Averaged spectrum of all stretches; None if it was not asked for.
-        wav: What was written as sound; None if nothing was.
-        against: It beside the motion of a mechanism; None without one.
-    """
-
-    file: Path
-    analysis: SpectrumAnalysis
-    predictions: PredictedFrequencies
-    chosen: ChosenRecording
-    averaged: AveragedSpectrum | None
-    wav: WavFile | None
-    against: MotionComparison | None = None
+    file: Path  # Name of its file
+    analysis: SpectrumAnalysis  # Its spectrum
+    predictions: PredictedFrequencies  # Frequencies that the model predicts
+    chosen: ChosenRecording  # Its recording, and what is wrong with it
+    averaged: AveragedSpectrum | None  # Averaged spectrum of all stretches; None if it was not asked for
+    wav: WavFile | None  # What was written as sound; None if nothing was
+    against: MotionComparison | None = None  # It beside the motion of a mechanism; None without one
 
 
 def as_text(shown: ShownSignal) -> str:

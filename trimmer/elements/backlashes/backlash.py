@@ -28,14 +28,11 @@ from trimmer.elements.expansion import Expansion
 class Backlash(Element):
     """Backlash in front of a load M v' + D v = 0 with u = gap / amplitude; N is a number (m/m).
 
-    Attributes:
-        gap: Total clearance, > 0, in the unit of the input (m).
-
     Raises:
         ValueError: if the gap is not positive and finite.
     """
 
-    gap: float
+    gap: float  # Total clearance, > 0, in the unit of the input (m)
 
     def __post_init__(self) -> None:
         positive_number("gap", self.gap, "m")

@@ -25,19 +25,12 @@ PHASE_ERROR = 1e-9
 
 @dataclass(frozen=True)
 class BacklashBox:
-    """Boxes of g/A and gamma, all arrays of one dimension and equal size.
+    """Boxes of g/A and gamma, all arrays of one dimension and equal size."""
 
-    Attributes:
-        lowest_gamma: Lower limit of gamma, within ``GAMMA_LIMITS``.
-        highest_gamma: Upper limit of gamma.
-        earliest_impact: θ_c at the lower limit of g/A and the upper one of gamma; NaN outside the domain.
-        latest_impact: θ_c at the upper limit of g/A and the lower one of gamma; NaN outside the domain.
-    """
-
-    lowest_gamma: Reals
-    highest_gamma: Reals
-    earliest_impact: Reals
-    latest_impact: Reals
+    lowest_gamma: Reals  # Lower limit of gamma, within ``GAMMA_LIMITS``
+    highest_gamma: Reals  # Upper limit of gamma
+    earliest_impact: Reals  # θ_c at the lower limit of g/A and the upper one of gamma; NaN outside the domain
+    latest_impact: Reals  # θ_c at the upper limit of g/A and the lower one of gamma; NaN outside the domain
 
     def slope_by_log_gamma(self) -> Reals:
         """Bound |dN/d(ln gamma)| on each box, shape (n,).

@@ -25,23 +25,14 @@ SLOPE_BY_RATIO = 2.0 / np.pi
 
 @dataclass(frozen=True)
 class BacklashMotion:
-    """A steady motion per entry of the arrays, all of the same shape; NaN where there is none.
+    """A steady motion per entry of the arrays, all of the same shape; NaN where there is none."""
 
-    Attributes:
-        gamma: omega M/D, within ``GAMMA_LIMITS``.
-        cosine: cos θ_s, which is also the load's velocity at separation over A omega.
-        sine: sin θ_s.
-        flight: Angle of free flight, rad.
-        contact: Angle of contact, π - flight, rad, to full relative precision where it is small.
-        impact: Velocity of the load relative to the pin at the impact, over A omega.
-    """
-
-    gamma: Reals
-    cosine: Reals
-    sine: Reals
-    flight: Reals
-    contact: Reals
-    impact: Reals
+    gamma: Reals  # omega M/D, within ``GAMMA_LIMITS``
+    cosine: Reals  # cos θ_s, which is also the load's velocity at separation over A omega
+    sine: Reals  # sin θ_s
+    flight: Reals  # Angle of free flight, rad
+    contact: Reals  # Angle of contact, π - flight, rad, to full relative precision where it is small
+    impact: Reals  # Velocity of the load relative to the pin at the impact, over A omega
 
     @property
     def impact_phase(self) -> Reals:

@@ -36,14 +36,10 @@ class BacklashComponent(Component):
 
     A load that has slowed down to rounding, after 42 tau, rests in a mode of its own, where tau no longer
     limits the steps: so the motion costs the same for any tau, however small.
-
-    Attributes:
-        gap: Total clearance, > 0, m.
-        time_constant: tau = M/D of the load, s; 0 and infinity are the two limits.
     """
 
-    gap: float
-    time_constant: float
+    gap: float  # Total clearance, > 0, m
+    time_constant: float  # tau = M/D of the load, s; 0 and infinity are the two limits
 
     name = "backlash"
     """Name of the component in events: backlash."""

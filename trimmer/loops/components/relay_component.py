@@ -31,18 +31,12 @@ class RelayComponent(Component):
     velocity) by the output that does so, as long as its size does not exceed the level (Filippov 1988).
 
     A friction may hold more than its level. Where it slips, the output then falls to the level at once.
-
-    Attributes:
-        level: Size of the output, > 0, in the unit of the output (N for friction).
-        of_rate: Whether s is the rate of the input, as for friction whose input is a displacement.
-        static: Largest output that holds s at zero, >= level.
-        of_velocity: Whether it is friction whose input is a velocity.
     """
 
-    level: float
-    of_rate: bool
-    static: float = 0.0
-    of_velocity: bool = False
+    level: float  # Size of the output, > 0, in the unit of the output (N for friction)
+    of_rate: bool  # Whether s is the rate of the input, as for friction whose input is a displacement
+    static: float = 0.0  # Largest output that holds s at zero, >= level
+    of_velocity: bool = False  # Whether it is friction whose input is a velocity
 
     mode_names = ("plus", "minus", "held")
     """Names of the modes by number: ``PLUS``, ``MINUS``, ``HELD``."""

@@ -37,17 +37,11 @@ class EventKind(Enum):
 
 @dataclass(frozen=True)
 class Explicit:
-    """The output is input_gain * input + sum of state_gains * own states + constant.
+    """The output is input_gain * input + sum of state_gains * own states + constant."""
 
-    Attributes:
-        input_gain: Output per input.
-        state_gains: Output per own state, one number for each, or none at all.
-        constant: In the unit of the output.
-    """
-
-    input_gain: float
-    state_gains: tuple[float, ...]
-    constant: float
+    input_gain: float  # Output per input
+    state_gains: tuple[float, ...]  # Output per own state, one number for each, or none at all
+    constant: float  # In the unit of the output
 
 
 @dataclass(frozen=True)
@@ -67,59 +61,40 @@ OutputLaw = Explicit | RateProportional | Constrained
 
 @dataclass(frozen=True)
 class Signals:
-    """Rows of one component in one mode, each of shape (n,) over the extended state.
+    """Rows of one component in one mode, each of shape (n,) over the extended state."""
 
-    Attributes:
-        input: The input, m for a displacement.
-        input_rate: Its first derivative, m/s.
-        input_curvature: Its second derivative, m/s².
-        output: The output.
-        states: The own states of the component.
-        one: The constant one.
-    """
-
-    input: Reals
-    input_rate: Reals
-    input_curvature: Reals
-    output: Reals
-    states: tuple[Reals, ...]
-    one: Reals
+    input: Reals  # The input, m for a displacement
+    input_rate: Reals  # Its first derivative, m/s
+    input_curvature: Reals  # Its second derivative, m/s²
+    output: Reals  # The output
+    states: tuple[Reals, ...]  # The own states of the component
+    one: Reals  # The constant one
 
 
 @dataclass(frozen=True)
 class ModeChange:
-    """Where an event function leads.
+    """Where an event function leads."""
 
-    Attributes:
-        kind: Kind of the event.
-        target: Mode of the component afterwards.
-        resets: New values of the component's states, rows of the mode that is left; empty if they stay.
-        zeros: For each event function of the target mode: how many of its first derivatives, counting the
-            zeroth, are known to vanish right after the transition.
-    """
-
-    kind: EventKind
-    target: int
+    kind: EventKind  # Kind of the event
+    target: int  # Mode of the component afterwards
+    # New values of the component's states, rows of the mode that is left; empty if they stay
     resets: tuple[Reals, ...]
+    # For each event function of the target mode: how many of its first derivatives, counting the zeroth, are
+    # known to vanish right after the transition
     zeros: tuple[int, ...]
 
 
 @dataclass(frozen=True)
 class ComponentFunction:
-    """A row that is positive while the mode lasts.
+    """A row that is positive while the mode lasts."""
 
-    Attributes:
-        row: The functional, shape (n,), in any unit: only its sign counts.
-        reached: Transition when it falls to zero.
-        jumped: Transition when it is negative at once, because the output of another component jumped, or
-            because the mode that was entered cannot hold.
-        continuous: How many of its first derivatives, counting the zeroth, do not jump when the output of
-            another component does.
-    """
-
-    row: Reals
-    reached: ModeChange
+    row: Reals  # The functional, shape (n,), in any unit: only its sign counts
+    reached: ModeChange  # Transition when it falls to zero
+    # Transition when it is negative at once, because the output of another component jumped, or because the
+    # mode that was entered cannot hold
     jumped: ModeChange
+    # How many of its first derivatives, counting the zeroth, do not jump when the output of another component
+    # does
     continuous: int = 0
 
 

@@ -26,23 +26,14 @@ CANCELLED = 1e-11
 
 @dataclass(frozen=True, eq=False)
 class _AtRest:
-    """Relays whose switching functions are zero at an instant.
+    """Relays whose switching functions are zero at an instant."""
 
-    Attributes:
-        relays: Their numbers among the components.
-        directions: What their switching functions are made of.
-        influence: Of their forces, the outputs times scales, on the rates of the switching functions.
-        scales: These.
-        levels: Of the forces of what slides.
-        limits: Of the forces of what is held.
-    """
-
-    relays: tuple[int, ...]
-    directions: Reals
-    influence: Reals
-    scales: Reals
-    levels: Reals
-    limits: Reals
+    relays: tuple[int, ...]  # Their numbers among the components
+    directions: Reals  # What their switching functions are made of
+    influence: Reals  # Of their forces, the outputs times scales, on the rates of the switching functions
+    scales: Reals  # These
+    levels: Reals  # Of the forces of what slides
+    limits: Reals  # Of the forces of what is held
 
 
 def complementary_mode(

@@ -22,19 +22,12 @@ from trimmer.loops.interconnection import Interconnection, effect
 
 @dataclass(frozen=True, eq=False)
 class CoupledRelays:
-    """The relays of an interconnection that depend on each other.
+    """The relays of an interconnection that depend on each other."""
 
-    Attributes:
-        members: Their numbers among the components, ascending; none if all are independent.
-        directions: D, (m, n): their switching functions are its rows times something that moves.
-        scales: (m,): times these, their outputs have a symmetric influence on each other, as forces have.
-        levels: Largest outputs with which they hold, (m,).
-    """
-
-    members: tuple[int, ...]
-    directions: Reals
-    scales: Reals
-    levels: Reals
+    members: tuple[int, ...]  # Their numbers among the components, ascending; none if all are independent
+    directions: Reals  # D, (m, n): their switching functions are its rows times something that moves
+    scales: Reals  # (m,): times these, their outputs have a symmetric influence on each other, as forces have
+    levels: Reals  # Largest outputs with which they hold, (m,)
 
     @classmethod
     def of(cls, system: Interconnection) -> CoupledRelays:
