@@ -38,5 +38,4 @@ class Deadline:
         return Deadline(self.begun, self.begun + share * (self.end - self.begun))
 
 
-NEVER = Deadline()
-"""No instant: all work is done."""
+NEVER = Deadline()  # No instant: all work is done

@@ -122,8 +122,7 @@ def _meant(text: str) -> list[str]:
     return ["-".join(f"q{number}" for number in bodies)]
 
 
-_LONGEST = 40
-"""Characters of a text in which a displacement is looked for."""
+_LONGEST = 40  # Characters of a text in which a displacement is looked for
 
 CUTTER_RELATIVE_TO_GUARD = Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD)
 """The output of the thesis, y = q2 - q4 (equation 2.14)."""

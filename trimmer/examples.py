@@ -8,8 +8,7 @@ from trimmer.errors import TrimmerError
 from trimmer.messages import near_or_all
 
 _PACKAGE = Path(__file__).parent
-USUAL = "thesis-play"
-"""The example to start from, if none is named."""
+USUAL = "thesis-play"  # The example to start from, if none is named
 
 
 class UnknownExampleError(TrimmerError, ValueError):

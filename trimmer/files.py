@@ -21,8 +21,7 @@ __all__ = [
     "write_atomically",
 ]
 
-STANDARD_INPUT = Path("-")
-"""Stands for standard input where a file is read."""
+STANDARD_INPUT = Path("-")  # Stands for standard input where a file is read
 
 
 class FileWriteError(TrimmerError, OSError):
@@ -62,11 +61,9 @@ LATEX = FileKind(
 )
 KINDS = (CSV, WAV, PNG, SVG, PDF, HTML, JSON, ERRATA, TOML, MAP, SAMPLES, MECHANISM, MODULE, LATEX, LOG)
 
-MOST_OF_A_DEVICE = 1 << 26
-"""Bytes that are read of a character device, such as a terminal."""
+MOST_OF_A_DEVICE = 1 << 26  # Bytes that are read of a character device, such as a terminal
 _NO_FOLDER = "a file stands where its folder would be; name another place"
-_HEAD = 512
-"""As many bytes as it takes to tell the kind of a file."""
+_HEAD = 512  # As many bytes as it takes to tell the kind of a file
 
 
 def read_content(path: Path) -> bytes:

@@ -7,13 +7,11 @@ import unicodedata
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-MOST_LINES = 18
-"""Lines of one message below its headline, so that a screen holds it."""
+MOST_LINES = 18  # Lines of one message below its headline, so that a screen holds it
 _SHOWN_LENGTH = 40
 _LEAST_RATIO = 0.7
 """Share of letters in common from which on a word is near: frction is near friction, foo not near follow."""
-_LONGEST_WORD = 100
-"""Longer words are no misspelled names, and comparing them would take long."""
+_LONGEST_WORD = 100  # Longer words are no misspelled names, and comparing them would take long
 _SHORTEST_BEGINNING = 3
 _ACTING = ("Cc", "Cf", "Zl", "Zp")
 """Categories of Unicode: controls, marks of format such as that of direction, ends of lines."""

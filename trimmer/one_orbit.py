@@ -22,16 +22,11 @@ A return is solved to 1e-10, and what that leaves of an error in the states is t
 is far above their rounding, and far below what two orbits differ by unless they are about to meet in a fold.
 There the inaccuracy is large, and two that it cannot tell apart are one.
 """
-LEAST_KNOWN = 1e-3
-"""Inaccuracy at most; orbits that are known worse still have to agree to that."""
-COARSE = 1024
-"""Points of a period among which that nearest to the start of another orbit is looked for."""
-FINE = 32
-"""How many parts the time between two points is divided into, to each side, again and again."""
-REFINED = 6
-"""How often."""
-PASSES = 4
-"""Parts of an orbit that may pass by the start of the other one."""
+LEAST_KNOWN = 1e-3  # Inaccuracy at most; orbits that are known worse still have to agree to that
+COARSE = 1024  # Points of a period among which that nearest to the start of another orbit is looked for
+FINE = 32  # How many parts the time between two points is divided into, to each side, again and again
+REFINED = 6  # How often
+PASSES = 4  # Parts of an orbit that may pass by the start of the other one
 
 
 @dataclass(frozen=True, eq=False)

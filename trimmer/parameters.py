@@ -15,8 +15,7 @@ from trimmer.parameter_kinds import Parameter, ParameterKind, reason_against
 from trimmer.showing.shown import counted
 from trimmer.toml_files import is_mechanism_file, parsed, read_text
 
-SCATTER = "uncertainty"
-"""The table of a parameter file that only ``trimmer sample`` reads."""
+SCATTER = "uncertainty"  # The table of a parameter file that only ``trimmer sample`` reads
 _TEMPLATE_HEAD = """\
 # Parameters of a hair trimmer, in SI units.
 # Every key is needed. Masses are positive; stiffness and damping are zero or positive.

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from tqdm import tqdm
 
-SILENCE = 2.0
-"""Time after which a bar appears, s."""
+SILENCE = 2.0  # Time after which a bar appears, s
 
 _SILENT: ContextVar[bool] = ContextVar("silent", default=False)
 

@@ -18,8 +18,7 @@ DISTANCES = (1e-7, 1e-9)
 """How far from an orbit neighbours begin, as shares of the sizes; what differs at both is no curvature."""
 DIFFERENT = 1e-3
 """Difference of the growth of distances to either side, relative to it, that no rounding makes."""
-SEED = 5
-"""Of the direction in which a neighbour is tried first."""
+SEED = 5  # Of the direction in which a neighbour is tried first
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,14 +8,11 @@ import numpy as np
 
 from trimmer.arrays import Integers, Reals
 
-CLOSE = 1e-9
-"""Share of two neighbouring numbers by which those of one level may differ."""
+CLOSE = 1e-9  # Share of two neighbouring numbers by which those of one level may differ
 
 
-MOST_TURNS = 64
-"""Periods after which all that turns must have returned; else nothing repeats with it."""
-OF_A_TURN = 1e-9
-"""Share of a turn by which a phase may miss its return."""
+MOST_TURNS = 64  # Periods after which all that turns must have returned; else nothing repeats with it
+OF_A_TURN = 1e-9  # Share of a turn by which a phase may miss its return
 
 
 def common_return(ratios: Sequence[float]) -> tuple[int, tuple[int, ...]] | None:

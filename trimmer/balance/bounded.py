@@ -19,20 +19,16 @@ SMALLEST_GAIN = 1e-10
 """|N| over its maximum below which no solution is looked for, if G has a pole on the imaginary axis next to
 which nothing is proven."""
 
-FINEST_GAIN = 1e-13
-"""The same, if something is proven only closer to the pole than doubles tell N from 0."""
+FINEST_GAIN = 1e-13  # The same, if something is proven only closer to the pole than doubles tell N from 0
 
-_BESIDE_ROOTS = 2.0
-"""How far the blocks of the table go beyond the roots of G, in x."""
+_BESIDE_ROOTS = 2.0  # How far the blocks of the table go beyond the roots of G, in x
 
-_BESIDE_SOLUTIONS = 0.5
-"""How far the range that is reported goes beyond what was found, in x."""
+_BESIDE_SOLUTIONS = 0.5  # How far the range that is reported goes beyond what was found, in x
 
 _GROWING = 2.0 ** np.arange(1, 8) - 1.0
 """Limits of the blocks beyond, each twice as wide as the one before: 55 decades on either side."""
 
-_SMALL = 1e-4
-"""|1/G| over the largest |N| from which on the search needs no proof about a pole at the origin."""
+_SMALL = 1e-4  # |1/G| over the largest |N| from which on the search needs no proof about a pole at the origin
 
 _METHOD = "exclusion, and test of uniqueness, on boxes of amplitude and frequency"
 

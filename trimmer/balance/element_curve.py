@@ -103,11 +103,9 @@ class ElementCurve:
         return np.asarray(np.exp(x)) if self.depends_on_x else None
 
 
-_ROWS = 64
-"""Rows of a table where N does not depend on x, so that all blocks share them."""
+_ROWS = 64  # Rows of a table where N does not depend on x, so that all blocks share them
 
-_ROWS_PER_BLOCK = 32
-"""Rows of a table where each block has its own."""
+_ROWS_PER_BLOCK = 32  # Rows of a table where each block has its own
 
 
 @dataclass(frozen=True)

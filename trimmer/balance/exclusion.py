@@ -68,17 +68,13 @@ def sizes_meet(enclosure: Enclosure, smallest: Reals | float, largest: Reals | f
     return ~((enclosure.smallest > largest) | (enclosure.largest < smallest))
 
 
-_SPREAD = 0.05
-"""Relative change of 1/G below which a column is narrow enough."""
+_SPREAD = 0.05  # Relative change of 1/G below which a column is narrow enough
 
-_MOST_PARTS = 32
-"""Into how many parts a column is cut at most."""
+_MOST_PARTS = 32  # Into how many parts a column is cut at most
 
-_MOST_COLUMNS = 50_000
-"""Number of columns above which none is cut; what is left of them is undecided then."""
+_MOST_COLUMNS = 50_000  # Number of columns above which none is cut; what is left of them is undecided then
 
-NARROWEST = 1e-12
-"""Half width in x below which nothing is cut: there a zero and a pole on the axis cancel."""
+NARROWEST = 1e-12  # Half width in x below which nothing is cut: there a zero and a pole on the axis cancel
 
 
 @dataclass(frozen=True)

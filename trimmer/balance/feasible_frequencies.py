@@ -30,11 +30,9 @@ from trimmer.linear.frequency_response import response_at
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
 from trimmer.showing.shown import Shown
 
-_BEYOND = 1e3
-"""How far beyond the outermost end of a band a frequency is that stands for all beyond."""
+_BEYOND = 1e3  # How far beyond the outermost end of a band a frequency is that stands for all beyond
 
-_JUST_TOUCHING = 1.0 - 1e-12
-"""Share of the largest gap/amplitude at which the pin just touches the load."""
+_JUST_TOUCHING = 1.0 - 1e-12  # Share of the largest gap/amplitude at which the pin just touches the load
 
 _LOG_GAMMAS = (math.log(GAMMA_LIMITS[0]), math.log(GAMMA_LIMITS[1]))
 

@@ -34,18 +34,15 @@ inertia-controlled one."""
 LIMIT_TOLERANCE = 1e-7
 """|1 + N G| below which a frequency counts as that of friction- or inertia-controlled backlash itself."""
 
-_LIMITS = 65
-"""Limits of the intervals of ln(omega M/D) to begin with."""
+_LIMITS = 65  # Limits of the intervals of ln(omega M/D) to begin with
 
 _SAMPLES = 400
 
 _STEPS = 8
 
-_FREQUENCIES = 17
-"""Frequencies of a measured range at which M/D is found, to see where it turns."""
+_FREQUENCIES = 17  # Frequencies of a measured range at which M/D is found, to see where it turns
 
-_BESIDE = 1e-6
-"""How far inside a band, relative, a limit cycle is sought that exists up to its end only."""
+_BESIDE = 1e-6  # How far inside a band, relative, a limit cycle is sought that exists up to its end only
 
 
 @dataclass(frozen=True, repr=False)

@@ -66,8 +66,7 @@ class ConstantResponse:
 LARGEST_ERROR = math.sqrt(sys.float_info.epsilon)
 """Relative error of 1/G from which on nothing is certain: half of the digits are lost."""
 
-_EVEN = 16
-"""Equal parts of a range of x."""
+_EVEN = 16  # Equal parts of a range of x
 
 _BESIDE_A_ROOT = np.sinh(0.75 * np.arange(-4, 5))
 """Distances from a root's frequency at which the range is cut too, over the root's distance from the axis."""

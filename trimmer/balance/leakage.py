@@ -13,8 +13,7 @@ from trimmer.linear.measured_response import response_of
 from trimmer.loops.loops import ClosedLoop
 from trimmer.loops.measured_loop import MeasuredLoop
 
-HARMONICS = (3, 5, 7)
-"""The first harmonics above the fundamental that an odd element has."""
+HARMONICS = (3, 5, 7)  # The first harmonics above the fundamental that an odd element has
 
 
 @takes_a_loop_or_data

@@ -198,8 +198,7 @@ class InterpolationBound(ShownFields):
     omega: float
 
 
-IN_UNIT_OF_INPUT = "unit of the element's input"
-"""Stands for the unit of an amplitude; m for a play."""
+IN_UNIT_OF_INPUT = "unit of the element's input"  # Stands for the unit of an amplitude; m for a play
 CYCLE_COLUMNS = attributes(
     amplitude=IN_UNIT_OF_INPUT,
     omega="rad/s",

@@ -73,14 +73,11 @@ def _sum_of(elements: list[Element]) -> Element | None:
 
 _EPSILON = float(np.finfo(float).eps)
 
-_ROUNDING = 64 * _EPSILON
-"""Relative size below which a computed quantity is taken for a rounded zero."""
+_ROUNDING = 64 * _EPSILON  # Relative size below which a computed quantity is taken for a rounded zero
 
-_NEAR_AXIS = 1e-6
-"""Real part over modulus up to which a pole may be one on the axis."""
+_NEAR_AXIS = 1e-6  # Real part over modulus up to which a pole may be one on the axis
 
-_POLISHING = 3
-"""Steps, each of which squares the error of a root."""
+_POLISHING = 3  # Steps, each of which squares the error of a root
 
 
 def with_feedback(response: InverseResponse, feedback: LinearGain) -> InverseResponse:

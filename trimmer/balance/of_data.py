@@ -19,10 +19,8 @@ from trimmer.linear.measured_response import MeasuredResponse
 from trimmer.loops.measured_loop import MeasuredLoop
 from trimmer.ties import levels
 
-EVEN = 201
-"""Places in equal ratios at which cells of the search begin, beside the points of the data."""
-MOST_POINTS = 2000
-"""Cells along the frequency that are searched at once."""
+EVEN = 201  # Places in equal ratios at which cells of the search begin, beside the points of the data
+MOST_POINTS = 2000  # Cells along the frequency that are searched at once
 
 
 @dataclass(frozen=True, eq=False)

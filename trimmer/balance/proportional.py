@@ -19,25 +19,20 @@ from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.search import SearchedRegion, SearchResult
 from trimmer.errors import LinearElementError, UnsupportedElementError
 
-_FIRST_INTERVALS = 64
-"""Intervals of x to begin with."""
+_FIRST_INTERVALS = 64  # Intervals of x to begin with
 
-_SMALLEST_HALF = 1e-9
-"""Half width in x below which an interval is given up."""
+_SMALLEST_HALF = 1e-9  # Half width in x below which an interval is given up
 
-_MOST_INTERVALS = 4096
-"""Number of intervals at one level above which all of them are given up."""
+_MOST_INTERVALS = 4096  # Number of intervals at one level above which all of them are given up
 
-_HALVINGS = 60
-"""How far from the roots of G a bound is looked for, in octaves."""
+_HALVINGS = 60  # How far from the roots of G a bound is looked for, in octaves
 
 _ROUNDING = 1e-10
 """Relative size of a sum over the roots, or angle, rad, of a product, that may be rounding of the roots."""
 
 _METHOD = "exclusion, and test of uniqueness, on intervals of frequency; the amplitude is eliminated"
 
-FALLBACK_REACH = 1e6
-"""How far beyond the roots of G is searched where no bound is found."""
+FALLBACK_REACH = 1e6  # How far beyond the roots of G is searched where no bound is found
 
 
 def solve_proportional(

@@ -28,19 +28,15 @@ from trimmer.elements.element_at_frequency import ElementAtFrequency
 from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
 
-DECADES = 8.0
-"""How far on either side of the element's scale amplitudes are searched."""
-_BEYOND_ROOTS = math.log(1e3)
-"""How far beyond the roots of G frequencies are searched, in x."""
+DECADES = 8.0  # How far on either side of the element's scale amplitudes are searched
+_BEYOND_ROOTS = math.log(1e3)  # How far beyond the roots of G frequencies are searched, in x
 _AMPLITUDES = 401
 _AMPLITUDES_PER_OMEGA = 65
 _OMEGAS = 401
 _OMEGAS_OF_MANY = 49
 _WIDENED = 1.5
-_MARGIN = 1.0
-"""How far beyond a cell the linear function may be zero, over its width."""
-_PARALLEL = 0.05
-"""Sine of the angle between the derivatives of F below which that tells nothing."""
+_MARGIN = 1.0  # How far beyond a cell the linear function may be zero, over its width
+_PARALLEL = 0.05  # Sine of the angle between the derivatives of F below which that tells nothing
 _LEVELS = 16
 """How often cells are cut: N may rise steeply at a threshold, where Newton's method needs a near start."""
 _HALVINGS = 40
@@ -49,10 +45,8 @@ _MOST_CELLS = 5000
 _STEPS = 40
 _LONGEST = 0.5
 _CONVERGED = 1e-9
-_SOLVED = 1e-7
-"""Size of N + 1/G over that of 1/G up to which it counts as zero."""
-_SAME = 1e-5
-"""Distance in ln u and x below which two solutions are one."""
+_SOLVED = 1e-7  # Size of N + 1/G over that of 1/G up to which it counts as zero
+_SAME = 1e-5  # Distance in ln u and x below which two solutions are one
 
 
 class GriddedInverse(Sloped, Protocol):

@@ -16,8 +16,7 @@ from trimmer.balance.cells import Cells
 from trimmer.balance.exclusion import NARROWEST, EnclosedCells, EquationInBox, first_grid
 from trimmer.balance.uniqueness import examine, solve_in
 
-_PARTS = 3
-"""Into how many parts a box is cut."""
+_PARTS = 3  # Into how many parts a box is cut
 
 _RESOLUTION = 1e-6
 """Radii of the disks of a box, relative to what they hold, below which it is given up as undecided."""
@@ -25,11 +24,9 @@ _RESOLUTION = 1e-6
 _RESOLUTION_AT_EDGE = 1e-13
 """The same where the edge of the domain runs through the box, so that no test of uniqueness applies to it."""
 
-_LAST_DIGIT = 1e-15
-"""Half width in u, relative, below which nothing is cut."""
+_LAST_DIGIT = 1e-15  # Half width in u, relative, below which nothing is cut
 
-_MOST_BOXES = 10_000
-"""Number of boxes at one level above which all of them are given up."""
+_MOST_BOXES = 10_000  # Number of boxes at one level above which all of them are given up
 
 _MARGIN = 2.0
 """How much wider than a box the region is on which uniqueness is tested; neighbours then share a solution."""

@@ -42,8 +42,7 @@ if TYPE_CHECKING:
     from trimmer.balance.search import SearchedRegion
     from trimmer.elements.element import Element
 
-CALLER = 3
-"""Level of the stack on which a warning of a function that takes a loop names its caller's line."""
+CALLER = 3  # Level of the stack on which a warning of a function that takes a loop names its caller's line
 
 
 @takes_a_loop_or_data
@@ -262,11 +261,9 @@ def checked_range(omega_range: tuple[float, float]) -> tuple[float, float]:
     return float(lowest), float(highest)
 
 
-_AT_EDGE = 1.0 - 1e-9
-"""u over its largest value from which on N has lost most of its digits."""
+_AT_EDGE = 1.0 - 1e-9  # u over its largest value from which on N has lost most of its digits
 
-_TOUCHING = 1e-9
-"""Gap in x below which two boxes belong together."""
+_TOUCHING = 1e-9  # Gap in x below which two boxes belong together
 
 
 def undecided_regions(cells: Cells, curve: ElementCurve) -> tuple[UndecidedRegion, ...]:

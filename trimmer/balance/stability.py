@@ -53,11 +53,9 @@ def closed_loop_poles(response: InverseResponse, gains: Complexes) -> Complexes:
     return np.asarray(np.linalg.eigvals(loops), dtype=complex)
 
 
-_ROUNDING = 1e-9
-"""Part of a pole below which its real or imaginary part is taken for rounding."""
+_ROUNDING = 1e-9  # Part of a pole below which its real or imaginary part is taken for rounding
 
-_NEARLY_REAL = 1e-7
-"""The same for the imaginary part of a real pole, which may be a double one."""
+_NEARLY_REAL = 1e-7  # The same for the imaginary part of a real pole, which may be a double one
 
 
 def sine_of_crossing(by_amplitude: complex, by_omega: complex) -> float:

@@ -30,14 +30,11 @@ class EmptyInterval:
     least: float
 
 
-_HALVINGS = 60
-"""How far towards a pole an interval is looked for, in octaves."""
+_HALVINGS = 60  # How far towards a pole an interval is looked for, in octaves
 
-_ROUNDED_SUM = 1e-10
-"""Relative size of a sum over the roots that may be rounding of these."""
+_ROUNDED_SUM = 1e-10  # Relative size of a sum over the roots that may be rounding of these
 
-_ROUNDING = 1e-12
-"""Angle, rad, below which the limits of the phases of -1/G and N are taken for equal."""
+_ROUNDING = 1e-12  # Angle, rad, below which the limits of the phases of -1/G and N are taken for equal
 
 
 def poles_on_axis(response: InverseResponse) -> Reals:

@@ -26,22 +26,17 @@ from trimmer.balance.element_curve import ElementCurve
 from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.loop import LoopEquation
 
-_INSIDE = 1.0 - 1e-13
-"""Where the border runs, over the largest u."""
+_INSIDE = 1.0 - 1e-13  # Where the border runs, over the largest u
 
-_PARTS_OF_U = 16
-"""Equal parts of a border of constant frequency to begin with."""
+_PARTS_OF_U = 16  # Equal parts of a border of constant frequency to begin with
 
-_MOST_PIECES = 20_000
-"""Number of pieces at one level above which the search is given up."""
+_MOST_PIECES = 20_000  # Number of pieces at one level above which the search is given up
 
 _MOST_LEVELS = 100
 
-_NARROWEST = math.sin(math.pi / 4)
-"""Radius over distance from zero of a disk that is seen within 90 degrees."""
+_NARROWEST = math.sin(math.pi / 4)  # Radius over distance from zero of a disk that is seen within 90 degrees
 
-_ROUNDING = 1e-13
-"""More than the rounding error of F over its terms."""
+_ROUNDING = 1e-13  # More than the rounding error of F over its terms
 
 
 @dataclass(frozen=True)
@@ -91,8 +86,7 @@ def _turns(loop: LoopEquation, pieces: _Pieces) -> int | None:
     return round(angle / (2.0 * math.pi)) if math.isfinite(angle) else None
 
 
-_STRIP = 6e-9
-"""Half of the width in x of what is left out about a root of G on the axis."""
+_STRIP = 6e-9  # Half of the width in x of what is left out about a root of G on the axis
 
 
 def _turns_with_strips_left_out(loop: LoopEquation, x_lower: float, x_upper: float) -> int | None:

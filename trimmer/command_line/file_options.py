@@ -24,8 +24,7 @@ from trimmer.files import (
 from trimmer.messages import printable, shown_value
 from trimmer.progress import is_silenced
 
-PICTURES = {".svg": SVG, ".png": PNG, ".pdf": PDF}
-"""Kinds of pictures by the end of the file's name."""
+PICTURES = {".svg": SVG, ".png": PNG, ".pdf": PDF}  # Kinds of pictures by the end of the file's name
 
 Kinds = Mapping[str, FileKind]
 """Kinds that an option can write, by the end of the file's name; the end "" stands for any name."""

@@ -39,8 +39,7 @@ _OWN = (
     *(check.COMMAND, parameters.COMMAND, derive.COMMAND, completion.COMMAND),
 )
 """Commands of this package, which are found without a look at what else is installed."""
-_SEVERAL = 5
-"""Words without use that are shown."""
+_SEVERAL = 5  # Words without use that are shown
 _NUMERIC = ("numpy", "scipy", "control", "numba", "matplotlib")
 _STRANGE = (
     "some numbers on the way became too large, too small or undefined, which may show in the result; use "

@@ -9,8 +9,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 
-SHARE = 0.1
-"""Part of the duration, at the end of the motion, that the summary describes."""
+SHARE = 0.1  # Part of the duration, at the end of the motion, that the summary describes
 POINTS = 20_001
 
 

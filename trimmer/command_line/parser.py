@@ -24,15 +24,11 @@ from trimmer.messages import listed, near_match, printable, shown_value
 from trimmer.progress import is_silenced
 from trimmer.sizes import reason_against_size
 
-WRONG_USE = 2
-"""Exit code for what the user can put right."""
-ENDED_EARLY = 3
-"""Exit code of a motion or a branch that did not come to the end that was asked for."""
-INTERRUPTED = 130
-"""Exit code after an interrupt, as a shell gives it."""
+WRONG_USE = 2  # Exit code for what the user can put right
+ENDED_EARLY = 3  # Exit code of a motion or a branch that did not come to the end that was asked for
+INTERRUPTED = 130  # Exit code after an interrupt, as a shell gives it
 
-MOST = 1_000_000_000
-"""Largest whole number of an option: none counts more."""
+MOST = 1_000_000_000  # Largest whole number of an option: none counts more
 
 _GIVEN = "given"
 _NEGATIVE_NUMBER = re.compile(

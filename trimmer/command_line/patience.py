@@ -9,8 +9,7 @@ from threading import Timer
 from trimmer.command_line.parser import tell
 from trimmer.progress import is_silenced
 
-SOON = 2.0
-"""Time after which the line is printed, s."""
+SOON = 2.0  # Time after which the line is printed, s
 LINE = (
     "at work ...; the first call of all compiles its kernels for some ten seconds, which are kept for later"
 )

@@ -38,8 +38,7 @@ if TYPE_CHECKING:
     from trimmer.response.motion import MechanismMotion
     from trimmer.signals.signal import Signal
 
-MOST_SAMPLES = 50_000_000
-"""Samples of a signal that still fit into memory with room to spare."""
+MOST_SAMPLES = 50_000_000  # Samples of a signal that still fit into memory with room to spare
 
 
 def _configure(parser: ArgumentParser) -> None:

@@ -16,8 +16,7 @@ if TYPE_CHECKING:
 
 OF_MECHANISM = "body", "write BODY=DISPLACEMENT,VELOCITY, as in motor=1mm,0"
 """What has a state, and how that is written."""
-OF_LOOP = "state of the loop", "write STATE=VALUE, as in q2=1mm"
-"""The same of a loop."""
+OF_LOOP = "state of the loop", "write STATE=VALUE, as in q2=1mm"  # The same of a loop
 
 
 def add_state_option(parser: ArgumentParser) -> None:

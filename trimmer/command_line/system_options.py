@@ -26,8 +26,7 @@ FILE_HELP = "mechanism, a TOML file, - for standard input; without one, a loop o
 OF_LOOPS = ("element", *ELEMENT_OPTIONS, "parameters", "displacement", "channels", "drive", "amplitude")
 OF_LOOPS += ("impulse",)
 """Options that say what a loop is and does; a mechanism says it in its file."""
-OF_LOOP = ", or of the loop, such as element.gap=40um"
-"""What the help of ``--set`` says of a loop."""
+OF_LOOP = ", or of the loop, such as element.gap=40um"  # What the help of ``--set`` says of a loop
 SOURCES = {"parameters": "the file of the parameters", "file": "the file of the mechanism"}
 """What the files are that are read, by the name of the option."""
 

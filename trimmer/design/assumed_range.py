@@ -9,8 +9,7 @@ from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.waves import reach_of
 
-SHARE_OF_STROKE = 0.1
-"""Largest gap that is assumed, as a share of the largest stroke of a pin."""
+SHARE_OF_STROKE = 0.1  # Largest gap that is assumed, as a share of the largest stroke of a pin
 LARGEST_DAMPING_RATIO = 0.1
 """Largest damping that is assumed, relative to the critical one of its spring and the masses it joins."""
 

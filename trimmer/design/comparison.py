@@ -9,8 +9,7 @@ from trimmer.design.design import Design
 from trimmer.design.trial import MeasureOfPart, all_measures
 from trimmer.mechanism.mechanism import Mechanism
 
-SAME = 1e-12
-"""Relative difference of two numbers below which they are one."""
+SAME = 1e-12  # Relative difference of two numbers below which they are one
 
 
 @dataclass(frozen=True)

@@ -15,16 +15,12 @@ from trimmer.arrays import Flags, Reals
 from trimmer.design.targets import OF_CLOSING, OF_STEP, Measure, Target
 from trimmer.design.trial import Trial
 
-GRID = 81
-"""Values of each number at which a forecast is made, twice: over the range, then around the best."""
-AMPLE = 0.4
-"""Margin beyond which more is no better, so that the smaller change is taken."""
-EFFORT = 0.02
-"""What a change by the factor e costs of the margin."""
+GRID = 81  # Values of each number at which a forecast is made, twice: over the range, then around the best
+AMPLE = 0.4  # Margin beyond which more is no better, so that the smaller change is taken
+EFFORT = 0.02  # What a change by the factor e costs of the margin
 NEAR = 0.25
 """Distance, as a logarithm, to a trial whose motion did not repeat as wanted, within which none is tried."""
-SMALLEST = 1e-3
-"""Share of its bound below which a measure counts as this."""
+SMALLEST = 1e-3  # Share of its bound below which a measure counts as this
 
 
 @dataclass(frozen=True, eq=False)

@@ -26,16 +26,12 @@ from trimmer.response.response import MotionKind, SettledMotion
 from trimmer.response.step import StepResponse
 from trimmer.response.switching import switching
 
-WINDOW = 96
-"""Drive periods over which a motion is measured that does not repeat."""
-SAMPLES = 256
-"""Samples per drive period of the acceleration of such a motion."""
-ROUNDING = 1e-9
-"""Share of the largest displacement below which an advance is rounding."""
+WINDOW = 96  # Drive periods over which a motion is measured that does not repeat
+SAMPLES = 256  # Samples per drive period of the acceleration of such a motion
+ROUNDING = 1e-9  # Share of the largest displacement below which an advance is rounding
 SEEN = 1.15
 """Up to which multiple of the time of its last event the motion of a machine that switches is kept."""
-SHOWN = 6
-"""Of these, how many are kept as signals."""
+SHOWN = 6  # Of these, how many are kept as signals
 
 
 @dataclass(frozen=True)

@@ -22,8 +22,7 @@ from trimmer.response.response import MotionKind, Response
 from trimmer.response.step import StepResponse, step_response
 from trimmer.response.step_end import StepEnd, followed
 
-ROUNDING = 1e-9
-"""Share of the step below which a final error is rounding, or what is left of the way to rest."""
+ROUNDING = 1e-9  # Share of the step below which a final error is rounding, or what is left of the way to rest
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,17 +14,14 @@ from trimmer.motion.course import Course
 from trimmer.motion.fourier import fourier
 from trimmer.motion.signals import along
 
-BAND = 10**0.8, 10**3.1
-"""Corner frequencies of the band limitation f1 and f2, Hz: 6.310 and 1258.9."""
+BAND = 10**0.8, 10**3.1  # Corner frequencies of the band limitation f1 and f2, Hz: 6.310 and 1258.9
 BAND_QUALITY = 2**-0.5
 TRANSITION = 100 / (2 * np.pi)
 """Frequency f3 = f4 of the transition from acceleration to velocity, Hz: 15.915."""
 TRANSITION_QUALITY = 0.64
-HIGHEST = 3000.0
-"""Frequency up to which lines are summed, Hz; there the weighting is below a thousandth."""
+HIGHEST = 3000.0  # Frequency up to which lines are summed, Hz; there the weighting is below a thousandth
 MOST_LINES = 1500
-DAY = 8.0
-"""Hours to which a daily exposure A(8) is referred: directive 2002/44/EC, article 3."""
+DAY = 8.0  # Hours to which a daily exposure A(8) is referred: directive 2002/44/EC, article 3
 
 
 def hand_arm_weighting(frequency: ArrayLike) -> Complexes:

@@ -53,5 +53,4 @@ class Keeper:
         return f"{stage}-{key[:20]}", key
 
 
-NOT_KEPT = Keeper()
-"""Keeps nothing."""
+NOT_KEPT = Keeper()  # Keeps nothing

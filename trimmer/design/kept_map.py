@@ -20,8 +20,7 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.response.response import MotionKind
 from trimmer.runners.runner import Runner
 
-Told = Callable[[int, int], None]
-"""Is told how many rows of how many are done."""
+Told = Callable[[int, int], None]  # Is told how many rows of how many are done
 Row = tuple[CellResult, ...]
 
 

@@ -17,12 +17,10 @@ from trimmer.mechanism.linear.matrices import LinearMatrices, linear_matrices
 from trimmer.mechanism.linear.outputs import Contacts, output_rows, with_contacts
 from trimmer.mechanism.mechanism import Mechanism
 
-POINTS = 2000
-"""Frequencies of a transfer function."""
+POINTS = 2000  # Frequencies of a transfer function
 BELOW, ABOVE = 20.0, 3.0
 """Ends of a transfer function: how far below the lowest frequency of interest, and above the highest."""
-RIGID = 1e-6
-"""Modulus of an eigenvalue, relative to the largest, below which it counts as zero."""
+RIGID = 1e-6  # Modulus of an eigenvalue, relative to the largest, below which it counts as zero
 
 
 @dataclass(frozen=True, eq=False)

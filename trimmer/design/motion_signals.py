@@ -17,11 +17,9 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.signals import along, read, while_status
 from trimmer.motion.spans import spans_of
 
-POINTS = 1200
-"""Instants at which signals are kept."""
+POINTS = 1200  # Instants at which signals are kept
 
-Spans = tuple[tuple[float, float], ...]
-"""Begin and length of times at which something is on, s."""
+Spans = tuple[tuple[float, float], ...]  # Begin and length of times at which something is on, s
 
 
 @dataclass(frozen=True, eq=False)

@@ -29,12 +29,9 @@ from trimmer.response.response import MotionKind
 from trimmer.response.same import same_orbit
 from trimmer.runners.runner import Runner
 
-PACE = 24
-"""Drive periods over which the pace is measured."""
-FEWEST = 60
-"""Drive periods that are followed whatever time there is."""
-REACH = 0.3
-"""How far neighbours lie around the working point at most, relative, along each of two numbers."""
+PACE = 24  # Drive periods over which the pace is measured
+FEWEST = 60  # Drive periods that are followed whatever time there is
+REACH = 0.3  # How far neighbours lie around the working point at most, relative, along each of two numbers
 
 
 @dataclass(frozen=True)

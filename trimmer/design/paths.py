@@ -18,8 +18,7 @@ from trimmer.design.found_motion import FoundMotion
 from trimmer.design.varied_places import VariedNumber
 from trimmer.mechanism.mechanism import Mechanism
 
-LARGEST_STEP = 0.02
-"""Largest change of the number between two orbits, as a share of one side of the range."""
+LARGEST_STEP = 0.02  # Largest change of the number between two orbits, as a share of one side of the range
 
 
 @dataclass(frozen=True, eq=False)

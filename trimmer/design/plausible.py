@@ -12,14 +12,10 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.waves import reach_of
 
-HEAVY = 50.0
-"""Mass of a body, as a multiple of the middle one of all, from which it is asked about."""
-LONG = 0.05
-"""Displacement, m, from which it is asked about in a machine of the hand."""
-HAND = 1.0
-"""Mass of all bodies together, kg, up to which a machine counts as one of the hand."""
-DRIVES = 5.0, 2000.0
-"""Frequencies that such a machine is driven at, Hz."""
+HEAVY = 50.0  # Mass of a body, as a multiple of the middle one of all, from which it is asked about
+LONG = 0.05  # Displacement, m, from which it is asked about in a machine of the hand
+HAND = 1.0  # Mass of all bodies together, kg, up to which a machine counts as one of the hand
+DRIVES = 5.0, 2000.0  # Frequencies that such a machine is driven at, Hz
 PENETRATION = 0.5
 """Depth of a contact, as a share of the largest stroke, from which its stiffness is asked about."""
 

@@ -14,10 +14,8 @@ from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.runners.runner import Runner
 
-EACH = 3
-"""Powers of two by which the points of several ranges exceed those of one."""
-BINS = 4
-"""Parts of a range among which the trials are told apart, to say what its value would tell."""
+EACH = 3  # Powers of two by which the points of several ranges exceed those of one
+BINS = 4  # Parts of a range among which the trials are told apart, to say what its value would tell
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from trimmer.design.surroundings import Around, Beside
 from trimmer.design.targets import Target
 
-LEAST = 0.02
-"""Logarithm of a factor up to which a number is as it was."""
+LEAST = 0.02  # Logarithm of a factor up to which a number is as it was
 
 
 @dataclass(frozen=True)

@@ -28,12 +28,10 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place
 from trimmer.runners.timed import TimedRunner
 
-FARTHEST = 3.0
-"""Largest factor by which a number is changed."""
+FARTHEST = 3.0  # Largest factor by which a number is changed
 OWN = {"gap": (0.1, FARTHEST), "frequency": (1 / 1.5, 1.5)}
 """Smallest and largest factor of some: parts can be made to fit more closely; a speed is hardly free."""
-PLACES = 16
-"""Numbers that are tried, of those with the largest influence."""
+PLACES = 16  # Numbers that are tried, of those with the largest influence
 FIRST = (
     *("kp", "kv", "ki", "kd", "ti", "gap", "force", "amplitude", "frequency", "damping", "stiffness"),
     *("static", "viscous", "unbalance"),
@@ -41,12 +39,9 @@ FIRST = (
 """Which numbers come first if nothing is known of their influence."""
 SINGLES, PAIRS = 4, 8
 """Changes of one number and of two that are computed, those with the best forecast."""
-ROUNDS = 5
-"""How often a forecast is corrected."""
-DIGITS = 3
-"""Digits to which a number is rounded."""
-ALIKE = 0.02
-"""Margin that is given away for a change of one number in place of two."""
+ROUNDS = 5  # How often a forecast is corrected
+DIGITS = 3  # Digits to which a number is rounded
+ALIKE = 0.02  # Margin that is given away for a change of one number in place of two
 
 
 def remedies(

@@ -20,12 +20,9 @@ from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.mechanism.quantities import PARTS, Range
 from trimmer.response.forced_orbit import exact_orbit
 
-STEP = 1e-3
-"""Change of a number, relative."""
-AGREES = 0.1
-"""Share by which the difference over half of the step may differ from that over the whole."""
-NOTHING = 1e-3
-"""Elasticity below which a number has no influence."""
+STEP = 1e-3  # Change of a number, relative
+AGREES = 0.1  # Share by which the difference over half of the step may differ from that over the whole
+NOTHING = 1e-3  # Elasticity below which a number has no influence
 LEFT_OUT = ("phase", "offset", "order")
 
 

@@ -52,5 +52,4 @@ class DesignSettings:
 
 
 USUAL = DesignSettings()
-FULL_CELLS = 96
-"""Cells along each side of a refined map."""
+FULL_CELLS = 96  # Cells along each side of a refined map

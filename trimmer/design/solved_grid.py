@@ -29,16 +29,13 @@ from trimmer.response.response import MotionKind
 from trimmer.response.switching import switching
 from trimmer.runners.runner import Runner
 
-MOST_NUMBERS = 3
-"""Numbers that can be moved at most."""
-COARSE = 4
-"""Steps of each number on a first grid, to which those of the last one are added if there is time."""
+MOST_NUMBERS = 3  # Numbers that can be moved at most
+COARSE = 4  # Steps of each number on a first grid, to which those of the last one are added if there is time
 POINTS, MOST_POINTS = 128, 192
 """Instants at which a curve is kept: of one drive period, and at most."""
 MOST_LINES, SMALLEST = 16, 1e-3
 """Lines that are kept of a curve, the largest, down to this share of the first."""
-SHOWN = 2
-"""Drive periods of a motion that does not repeat of which curves are kept."""
+SHOWN = 2  # Drive periods of a motion that does not repeat of which curves are kept
 
 Line = tuple[int, int, float]
 

@@ -10,10 +10,8 @@ from trimmer.design.found_motion import FoundMotion
 from trimmer.design.linear import LinearMode, LinearState
 from trimmer.mechanism.linear.outputs import Contacts
 
-SMALLEST = 1e-4
-"""Amplitude of a line, relative to the largest, from which on it is listed."""
-MOST_LINES = 24
-"""Lines that are listed of an output, the largest."""
+SMALLEST = 1e-4  # Amplitude of a line, relative to the largest, from which on it is listed
+MOST_LINES = 24  # Lines that are listed of an output, the largest
 BESIDE = 0.03
 """Distance from a mode, as a share of its frequency, at which it is named; its damping ratio if larger."""
 DAMPED = 0.35

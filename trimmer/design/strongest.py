@@ -13,10 +13,8 @@ from trimmer.design.varied_places import NumberRole, VariedNumber
 from trimmer.errors import TrimmerError
 from trimmer.mechanism.mechanism import Mechanism
 
-RANGE = 0.25, 1.75
-"""Range of a number over which is drawn, as shares of that of the file."""
-MAPS = 3
-"""Pairs of numbers over which is drawn at most."""
+RANGE = 0.25, 1.75  # Range of a number over which is drawn, as shares of that of the file
+MAPS = 3  # Pairs of numbers over which is drawn at most
 
 Pair = tuple[VariedNumber, VariedNumber]
 

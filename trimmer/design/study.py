@@ -48,12 +48,9 @@ SPENT = {
     Stage.SLIDERS: 0.84,
 }
 """Share of the time that is allowed after which each stage is over; the rest is for equations and pages."""
-MOST_DRAWN = 3
-"""Targets that are drawn beside the map of hunting at most."""
-MOST_PATHS = 3
-"""Numbers over which branches are followed at most."""
-COARSE = (6, 12)
-"""Cells along each side of coarse maps, by which the time of finer ones is known."""
+MOST_DRAWN = 3  # Targets that are drawn beside the map of hunting at most
+MOST_PATHS = 3  # Numbers over which branches are followed at most
+COARSE = (6, 12)  # Cells along each side of coarse maps, by which the time of finer ones is known
 FIRST_START, CELL = 0.1, 0.02
 """Share of that time that a start may take to settle, and a cell of a map or a trial."""
 

@@ -18,8 +18,7 @@ from trimmer.maps.inputs import varied
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.runners.runner import Runner
 
-SPEEDS = (-0.05, -0.025, 0.025, 0.05)
-"""Neighbouring speeds: relative changes of the frequency of the drive."""
+SPEEDS = (-0.05, -0.025, 0.025, 0.05)  # Neighbouring speeds: relative changes of the frequency of the drive
 
 Numbers = tuple[tuple[str, float], ...]
 """Dotted places with the numbers, SI units, that stand there in place of those of the file."""

@@ -44,8 +44,7 @@ _SECTIONS = {
     Measure.BOUNCE_TIME: "closings",
     **dict.fromkeys(OF_STEP, "controllers"),
 }
-WINDOW = 20
-"""Drive periods over which a motion is measured that does not repeat."""
+WINDOW = 20  # Drive periods over which a motion is measured that does not repeat
 
 
 @dataclass(frozen=True)

@@ -15,12 +15,9 @@ from trimmer.design.targets import followers
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
 
-STEPS = 6
-"""Cells of a map from zero to the number of the file, of 24."""
-SPEEDS = (0.5, 1.5)
-"""Range of the speed, as shares of that of the file."""
-SLACK = 0.2
-"""Range of a gap that is zero in the file, as a share of the largest stroke."""
+STEPS = 6  # Cells of a map from zero to the number of the file, of 24
+SPEEDS = (0.5, 1.5)  # Range of the speed, as shares of that of the file
+SLACK = 0.2  # Range of a gap that is zero in the file, as a share of the largest stroke
 
 
 class NumberRole(Enum):

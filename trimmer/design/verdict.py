@@ -12,8 +12,7 @@ from trimmer.design.surroundings import Around
 from trimmer.design.targets import Measure, Target
 from trimmer.response.response import MotionKind
 
-NEAR = 0.02
-"""Distance from a bound, as a share of it, that counts as near."""
+NEAR = 0.02  # Distance from a bound, as a share of it, that counts as near
 
 
 class DesignOutcome(Enum):

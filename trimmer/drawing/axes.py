@@ -14,10 +14,8 @@ from trimmer.drawing.units import name_axis
 
 Label = tuple[str, str]
 
-NARROW = 4.0
-"""Width of axes, inches, below which a legend stands under them and not beside them."""
-UNDER = 3.6
-"""How far under the axes, in font sizes: below ticks and label."""
+NARROW = 4.0  # Width of axes, inches, below which a legend stands under them and not beside them
+UNDER = 3.6  # How far under the axes, in font sizes: below ticks and label
 
 
 def finish(axes: Axes, across: Label, up: Label, strips: Sequence[Strip] = ()) -> None:

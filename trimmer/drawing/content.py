@@ -19,10 +19,8 @@ from trimmer.messages import shown_value
 DATELESS = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
 """Metadata without a date, so that the same picture has the same bytes."""
 SIZE = (7.2, 4.6)
-CHARACTERS = 11
-"""About as many of a title stand side by side on an inch."""
-DPI = 160
-"""Dots per inch of a PNG."""
+CHARACTERS = 11  # About as many of a title stand side by side on an inch
+DPI = 160  # Dots per inch of a PNG
 _MISSING = re.compile(r"Glyph (\d+) .*missing from font", flags=re.DOTALL)
 _NO_ROOM = ("constrained_layout not applied", "Tight layout not applied")
 

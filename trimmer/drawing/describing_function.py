@@ -14,15 +14,11 @@ from trimmer.drawing.marks import arrow, critical_point
 from trimmer.drawing.plane import inverse, show
 from trimmer.elements.element import Element, ElementLocus
 
-LARGEST = 1e2
-"""Largest amplitude that is shown over the smallest one, or the scale over the smallest one."""
+LARGEST = 1e2  # Largest amplitude that is shown over the smallest one, or the scale over the smallest one
 POINTS = 1000
-MARGIN = 10.0
-"""Degrees of free room above and below the phase."""
-SHOWN = 20.0
-"""|1/N| that is shown of a locus at most, over its smallest."""
-LEAST = 3.0
-"""|1/N| up to which it is shown in any case, so that -1 is seen."""
+MARGIN = 10.0  # Degrees of free room above and below the phase
+SHOWN = 20.0  # |1/N| that is shown of a locus at most, over its smallest
+LEAST = 3.0  # |1/N| up to which it is shown in any case, so that -1 is seen
 
 
 @draw.register(Element)

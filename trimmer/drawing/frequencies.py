@@ -7,8 +7,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
-REACH = 100.0
-"""How far beyond the outermost roots."""
+REACH = 100.0  # How far beyond the outermost roots
 EVEN, NEAR = 2000, 400
 """Points in equal ratios, and around each root."""
 

@@ -19,8 +19,7 @@ from trimmer.linear.summary import LinearSummary
 
 TURN = 2.0 * np.pi
 SIZE = (7.2, 6.0)
-REACH = 10.0
-"""How far beyond the outermost roots a response is drawn."""
+REACH = 10.0  # How far beyond the outermost roots a response is drawn
 
 
 def decibels(gain: Complexes | Reals) -> Reals:

@@ -14,8 +14,7 @@ from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, STABLE, UNSTABLE, colour
 from trimmer.drawing.units import name_axis
 
-POINTS = 49
-"""Time constants for which the limit cycles are found."""
+POINTS = 49  # Time constants for which the limit cycles are found
 DECADES = 3.0
 """How far M/D is drawn on either side of one over the angular frequency, and beyond what was found."""
 

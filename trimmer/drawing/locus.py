@@ -21,16 +21,13 @@ from trimmer.linear.zero_pole_gain import ZeroPoleGain
 from trimmer.loops.loops import ClosedLoop
 from trimmer.loops.measured_loop import MeasuredLoop
 
-ANY = np.geomspace(1e-6, 1e6, 1800)
-"""u = amplitude_scale/amplitude where any amplitude will do."""
+ANY = np.geomspace(1e-6, 1e6, 1800)  # u = amplitude_scale/amplitude where any amplitude will do
 SHARES = np.concatenate([np.geomspace(1e-6, 0.5, 600), 1.0 - np.geomspace(0.5, 1e-9, 1200)[1:]])
 """Shares of the largest u, close together at both ends."""
 EACH_INTEGRATED = 9
 """One place of so many is shown of an element without closed form, each point of which is integrated."""
-CLOSE = 0.25
-"""Share of the picture, across and up, within which limit cycles are enlarged."""
-FAR = 4.0
-"""How far out a locus is shown that goes to infinity, in sizes of what is of interest."""
+CLOSE = 0.25  # Share of the picture, across and up, within which limit cycles are enlarged
+FAR = 4.0  # How far out a locus is shown that goes to infinity, in sizes of what is of interest
 
 
 def balance_figure(balance: HarmonicBalance) -> Figure:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Final
 
-Look = dict[str, Any]
-"""Keyword arguments for ``Axes.plot``."""
+Look = dict[str, Any]  # Keyword arguments for ``Axes.plot``
 BLACK: Final = "#000000"
 LINES: Final[tuple[Look, ...]] = (
     {"color": "#0072b2", "linestyle": "solid"},  # blue
@@ -22,10 +21,8 @@ DOTTED: Final[Look] = {"color": BLACK, "linestyle": ":", "linewidth": 0.9}
 FAINT: Final[Look] = {"color": "#555555", "linestyle": ":", "linewidth": 1.0}
 """Lines that only mark a place."""
 STABLE: Final = "solid"
-UNSTABLE: Final = (0, (4, 2))
-"""Dashes of motions that are stable and not."""
-LONGEST_LABEL: Final = 60
-"""Characters of a name that a picture shows."""
+UNSTABLE: Final = (0, (4, 2))  # Dashes of motions that are stable and not
+LONGEST_LABEL: Final = 60  # Characters of a name that a picture shows
 
 
 def line(number: int) -> Look:

@@ -15,10 +15,8 @@ from trimmer.loops.feedback import Feedback
 from trimmer.loops.flow import LoopFlow
 from trimmer.loops.motion import LoopMotion
 
-POINTS = 4000
-"""Points of a curve, beside the events."""
-MOST_EVENTS = 2000
-"""Events up to which each is a point of the curves too."""
+POINTS = 4000  # Points of a curve, beside the events
+MOST_EVENTS = 2000  # Events up to which each is a point of the curves too
 
 
 @draw.register(LoopMotion)

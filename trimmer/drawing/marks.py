@@ -11,8 +11,7 @@ from trimmer.drawing.look import BLACK
 PlanePoint = tuple[float, float] | complex
 
 STABLE: Final = "_stable limit cycle"
-UNSTABLE: Final = "_unstable limit cycle"
-"""Labels of the marks of limit cycles; no legend shows them."""
+UNSTABLE: Final = "_unstable limit cycle"  # Labels of the marks of limit cycles; no legend shows them
 
 
 def limit_cycle(axes: Axes, place: PlanePoint, *, stable: bool, label: str | None = None) -> None:

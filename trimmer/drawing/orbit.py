@@ -15,8 +15,7 @@ from trimmer.drawing.units import with_prefix
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.search import PeriodicOrbits
 
-POINTS = 2000
-"""Points of an orbit, beside its events."""
+POINTS = 2000  # Points of an orbit, beside its events
 
 
 @draw.register(PeriodicOrbit)

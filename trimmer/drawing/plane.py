@@ -14,8 +14,7 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.elements.element import Element
 from trimmer.linear.measured_response import MeasuredResponse, response_of
 
-MARGIN = 0.08
-"""Free room around what is shown, as a share of it."""
+MARGIN = 0.08  # Free room around what is shown, as a share of it
 
 
 @dataclass(frozen=True)

@@ -16,10 +16,8 @@ from trimmer.hybrid.work import Log
 from trimmer.motion.part import TOUCHING, Part, Phase
 from trimmer.motion.spans import spans_of
 
-HEIGHT = 0.06
-"""Height of a strip, as a share of the axes."""
-MOST = 0.45
-"""Share of the axes that all strips take at most."""
+HEIGHT = 0.06  # Height of a strip, as a share of the axes
+MOST = 0.45  # Share of the axes that all strips take at most
 NAME: dict[str, Any] = {"xycoords": "axes fraction", "textcoords": "offset points", "va": "center"}
 NAME |= {"fontsize": "x-small", "parse_math": False, "annotation_clip": False}
 """How the name of a strip stands beside the axes."""

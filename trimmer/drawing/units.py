@@ -11,8 +11,7 @@ PREFIXED = (
     *("rad", "rad/s", "rad/s²", "N m", "N m/rad", "N m s/rad"),
 )
 """Units that take a prefix."""
-FITS = 0.8
-"""A prefix fits if the largest number of the axis is at least so many of it."""
+FITS = 0.8  # A prefix fits if the largest number of the axis is at least so many of it
 
 
 def name_axis(axis: Axis, name: str, unit: str) -> None:

@@ -18,17 +18,14 @@ from trimmer.elements.quadrature import QuadratureEstimate
 from trimmer.elements.unbounded import EVEN, UnboundedElement
 from trimmer.errors import UnsupportedElementError
 
-SETTLING = 2
-"""Periods that a nonlinearity with memory runs through before its output counts."""
-_DECADES = 12
-"""How far on either side of 1 amplitudes are probed."""
+SETTLING = 2  # Periods that a nonlinearity with memory runs through before its output counts
+_DECADES = 12  # How far on either side of 1 amplitudes are probed
 _PROBES = 400
 _MEMORY_DECADES = 6
 _MEMORY_PROBES = 24
 _PHASES = 61
 _SEED = 4171
-_OMEGA = 1.0
-"""Stands where an omega is wanted, rad/s; a nonlinearity knows none."""
+_OMEGA = 1.0  # Stands where an omega is wanted, rad/s; a nonlinearity knows none
 _DIFFERENT = 0.01
 """Difference between a nonlinearity's own describing function and its output's, relative, that is told."""
 

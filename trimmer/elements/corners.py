@@ -22,11 +22,9 @@ from trimmer.elements.element import Bounds, Element, Limits
 from trimmer.elements.expansion import Expansion
 from trimmer.elements.small_arguments import argument_less_sine, sine_less_cosine_part
 
-_STEEPEST = 4.0 / np.pi
-"""|dN/du| over the slope at u = 0, its largest value: it is (4/π) cos α."""
+_STEEPEST = 4.0 / np.pi  # |dN/du| over the slope at u = 0, its largest value: it is (4/π) cos α
 
-_ROUNDING = 1e-15
-"""More than the rounding error of a difference of cosines."""
+_ROUNDING = 1e-15  # More than the rounding error of a difference of cosines
 
 
 @dataclass(frozen=True)
@@ -40,8 +38,7 @@ class CornerElement(Element):
     threshold: float  # Input at the corner, > 0, in the unit of the input
     slope: float = 1.0  # Output per input on the inclined part, > 0
 
-    constant_from = 1.0
-    """1: an amplitude below the threshold never reaches a corner."""
+    constant_from = 1.0  # 1: an amplitude below the threshold never reaches a corner
 
     def __post_init__(self) -> None:
         positive_number("threshold", self.threshold, "unit of the input")

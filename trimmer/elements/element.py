@@ -30,8 +30,7 @@ Bounds = tuple[Reals | float, Reals | float]
 
 Number = TypeVar("Number", np.float64, np.complex128)
 
-_ANY_OMEGA = np.ones(())
-"""Omega, rad/s, that is used where the element does not depend on it."""
+_ANY_OMEGA = np.ones(())  # Omega, rad/s, that is used where the element does not depend on it
 
 BLOCK = 16384
 """Entries that are computed together: few enough for the processor's cache, enough to make calls cheap."""

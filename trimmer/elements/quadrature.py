@@ -16,12 +16,9 @@ import numpy as np
 
 from trimmer.arrays import Reals
 
-TOLERANCE = 1e-13
-"""Error of a panel, over the largest output, below which it is not halved."""
-MOST_LEVELS = 50
-"""How often a panel is halved: to the last digit."""
-MOST_PANELS = 4000
-"""Panels at one level above which none is halved any more; the estimate of the error tells."""
+TOLERANCE = 1e-13  # Error of a panel, over the largest output, below which it is not halved
+MOST_LEVELS = 50  # How often a panel is halved: to the last digit
+MOST_PANELS = 4000  # Panels at one level above which none is halved any more; the estimate of the error tells
 _EVEN = 8
 _TOWARDS_PEAK = 2.0 ** -np.arange(1, 17)
 
@@ -53,10 +50,8 @@ NODES = np.concatenate([-_KRONROD_NODES, _KRONROD_NODES[-2::-1]])
 WEIGHTS = np.concatenate([_KRONROD_WEIGHTS, _KRONROD_WEIGHTS[-2::-1]])
 ENDS = np.array([-1.0, 1.0]) * (1.0 - 1e-9)
 """Places next to the ends of a panel, beyond its outermost points; just inside, as outputs may jump there."""
-END_ZONE = 0.01
-"""More than the distance of the outermost points from the ends, over half the width."""
-BETWEEN = 0.21
-"""More than the distance between two points, over half the width."""
+END_ZONE = 0.01  # More than the distance of the outermost points from the ends, over half the width
+BETWEEN = 0.21  # More than the distance between two points, over half the width
 COARSE = slice(1, 15, 2)
 OTHERS = slice(0, 15, 2)
 

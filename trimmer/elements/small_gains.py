@@ -27,20 +27,15 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-BACKLASH_LARGEST = 0.003
-"""|N| of a backlash up to which the bounds are proven."""
+BACKLASH_LARGEST = 0.003  # |N| of a backlash up to which the bounds are proven
 
-STEEPEST = 4.0
-"""Upper bound of δ/√|N|."""
+STEEPEST = 4.0  # Upper bound of δ/√|N|
 
-GENTLEST = 0.7
-"""Lower bound of δ/√|N| for |N| >= ``COASTING`` gamma²."""
+GENTLEST = 0.7  # Lower bound of δ/√|N| for |N| >= ``COASTING`` gamma²
 
-COASTING = 25.0
-"""|N|/gamma² from which on that holds."""
+COASTING = 25.0  # |N|/gamma² from which on that holds
 
-LEAST = 0.3
-"""Lower bound of |N|/gamma²."""
+LEAST = 0.3  # Lower bound of |N|/gamma²
 
 
 @dataclass(frozen=True)

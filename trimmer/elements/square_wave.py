@@ -12,8 +12,7 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.elements.element import Bounds, Element, Limits
 from trimmer.elements.expansion import Expansion
 
-FUNDAMENTAL = 4.0 / np.pi
-"""First Fourier coefficient of a square wave between -1 and 1."""
+FUNDAMENTAL = 4.0 / np.pi  # First Fourier coefficient of a square wave between -1 and 1
 
 
 class SquareWaveElement(Element):
@@ -22,8 +21,7 @@ class SquareWaveElement(Element):
     With u = height / A and the lead φ of the output, N_n = (4/(π n)) exp(jnφ) u for odd n.
     """
 
-    LEAD: ClassVar[complex]
-    """exp(jφ) with the lead φ of the output over the input."""
+    LEAD: ClassVar[complex]  # exp(jφ) with the lead φ of the output over the input
 
     @property
     @abstractmethod

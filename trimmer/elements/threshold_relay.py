@@ -27,8 +27,7 @@ from trimmer.elements.expansion import Expansion
 from trimmer.elements.small_gains import SmallGains, real_small_gains
 
 _BEHIND = 0.61
-_ROUNDING = 1e-15
-"""More than the rounding error of a difference of angles, or of its sine."""
+_ROUNDING = 1e-15  # More than the rounding error of a difference of angles, or of its sine
 _LARGEST = np.finfo(float).max
 
 

@@ -16,8 +16,7 @@ from trimmer.errors import UnsupportedElementError
 
 EVEN = 1e-6
 """Sum of the outputs half a period apart, over the largest output, from which on an element is not odd."""
-_STEP = 1e-5
-"""Relative step of the difference quotients: errors of N of 1e-13 give those of 1e-8."""
+_STEP = 1e-5  # Relative step of the difference quotients: errors of N of 1e-13 give those of 1e-8
 
 
 class UnboundedElement(Element):

@@ -15,18 +15,15 @@ from trimmer.ensembles.gain_by_phase import gain_by_lag
 from trimmer.ensembles.grid import FrequencyGrid, grid_at, merged
 from trimmer.ensembles.responses import Responses
 
-STEEP = 0.6
-"""Turn of the phase between two frequencies, rad, from which a step is too coarse to be trusted."""
-NEAR = 0.02
-"""Distance of h from 0 at an extremum below which two solutions may hide there, or be none."""
+STEEP = 0.6  # Turn of the phase between two frequencies, rad, from which a step is too coarse to be trusted
+NEAR = 0.02  # Distance of h from 0 at an extremum below which two solutions may hide there, or be none
 MARGIN = 1e-3
 """Lag, rad, within which it is doubtful whether a solution lies beyond the largest or smallest amplitude."""
 ENDS = 0.005
 """Ln |1/G| above which no limit cycle is taken to lie beyond the lowest and the highest frequency."""
 HALVINGS = 6
 REFINEMENTS = 3
-WORST = 4
-"""Steps of each trimmer that are refined each time, by as many frequencies as ``INSERTED``."""
+WORST = 4  # Steps of each trimmer that are refined each time, by as many frequencies as ``INSERTED``
 INSERTED = 5
 
 

@@ -8,10 +8,8 @@ from trimmer.arrays import Complexes, Reals
 
 ANGLES = np.tan(np.radians(np.linspace(-84.0, 84.0, 22)))
 """Distances from a pole in units of its damping: its own phase turns by 8 degrees between two of them."""
-BETWEEN = 56
-"""Frequencies, evenly spaced on a logarithmic scale, beside those near poles."""
-BEYOND = 20.0
-"""By which factor these go beyond the slowest and the fastest pole."""
+BETWEEN = 56  # Frequencies, evenly spaced on a logarithmic scale, beside those near poles
+BEYOND = 20.0  # By which factor these go beyond the slowest and the fastest pole
 
 
 def frequencies_near(poles: Complexes) -> Reals:

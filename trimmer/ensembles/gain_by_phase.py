@@ -10,8 +10,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 
-PLAY = FrictionBacklash(1.0)
-"""Play of gap 1: with another gap the amplitude is as many times larger."""
+PLAY = FrictionBacklash(1.0)  # Play of gap 1: with another gap the amplitude is as many times larger
 CELLS = 4096
 """Of a table over the lag; with it a solution is only enclosed, and then computed by Newton's method."""
 

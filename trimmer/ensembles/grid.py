@@ -10,8 +10,7 @@ from trimmer.arrays import Complexes, Flags, Reals
 from trimmer.ensembles.gain_by_phase import gain_by_lag
 from trimmer.ensembles.responses import Responses
 
-LOUD = 0.5
-"""Ln |1/G| up to which a point counts: |N| is at most 1, so above 0 there is no limit cycle."""
+LOUD = 0.5  # Ln |1/G| up to which a point counts: |N| is at most 1, so above 0 there is no limit cycle
 
 
 class FrequencyGrid(NamedTuple):

@@ -10,8 +10,7 @@ from trimmer.ensembles.polishing import CycleSolutions
 from trimmer.ensembles.polynomials import roots
 from trimmer.ensembles.responses import Responses
 
-ROUNDING = 1e-9
-"""Part of a pole below which its real or imaginary part is taken for rounding."""
+ROUNDING = 1e-9  # Part of a pole below which its real or imaginary part is taken for rounding
 
 
 def unstable_others(responses: Responses, poles: Complexes, solutions: CycleSolutions) -> tuple[Flags, Flags]:

@@ -13,10 +13,8 @@ from trimmer.ensembles.gain_by_phase import PLAY
 from trimmer.ensembles.responses import Responses
 
 STEPS = 8
-ROUNDING = 1e-11
-"""Residual |N + 1/G| / |N| up to which a solution counts as found."""
-SLACK = 1e-6
-"""How far, as a share of the frequency, a solution may lie outside of its enclosure."""
+ROUNDING = 1e-11  # Residual |N + 1/G| / |N| up to which a solution counts as found
+SLACK = 1e-6  # How far, as a share of the frequency, a solution may lie outside of its enclosure
 
 
 @dataclass(frozen=True, eq=False)

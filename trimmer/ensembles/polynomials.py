@@ -11,8 +11,7 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Flags, Reals
 
-MOST_STEPS = 60
-"""Steps from starting values that are nowhere near; near ones need five or six."""
+MOST_STEPS = 60  # Steps from starting values that are nowhere near; near ones need five or six
 NEAR = 1e-12
 """Last step, as a share of a root's modulus, below which it is found: the next one would be its cube."""
 

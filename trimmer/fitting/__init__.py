@@ -13,6 +13,5 @@ import lazy_loader
 from trimmer.former_names import answering
 
 _attribute, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
-FORMER = {"fit_mechanism": "trimmer.fit"}
-"""Where what had other names stands now."""
+FORMER = {"fit_mechanism": "trimmer.fit"}  # Where what had other names stands now
 __getattr__ = answering(__name__, _attribute, FORMER)

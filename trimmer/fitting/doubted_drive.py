@@ -13,10 +13,8 @@ from trimmer.fitting.measured import MeasuredLines, drive_near
 from trimmer.signals.signal import SignalError
 from trimmer.spectra.comparison import sought
 
-OFF = 0.25
-"""Periods of the last line that is compared by which a drive may be off by the end of the record."""
-SEEN = 10.0
-"""Standard deviations from which on a line is surely there."""
+OFF = 0.25  # Periods of the last line that is compared by which a drive may be off by the end of the record
+SEEN = 10.0  # Standard deviations from which on a line is surely there
 
 
 def doubts_of(measured: MeasuredLines) -> Iterator[str]:

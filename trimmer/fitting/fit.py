@@ -39,14 +39,10 @@ if TYPE_CHECKING:
     from trimmer.loops.loops import Loop
     from trimmer.motion.subject import Subject
 
-OTHER_FREQUENCY = 1e-4
-"""Relative difference from which the measured drive is told to be another one."""
-MOST_RESTARTS = 4
-"""How often the fit begins anew where a profile has met a better one."""
-AT_END = 0.98
-"""Share of the reach of a coordinate from which on it is told to be at its end."""
-OPPOSITE = 0.5
-"""Share of chi-square below which the opposite sign of the measurement is told to fit better."""
+OTHER_FREQUENCY = 1e-4  # Relative difference from which the measured drive is told to be another one
+MOST_RESTARTS = 4  # How often the fit begins anew where a profile has met a better one
+AT_END = 0.98  # Share of the reach of a coordinate from which on it is told to be at its end
+OPPOSITE = 0.5  # Share of chi-square below which the opposite sign of the measurement is told to fit better
 
 
 @dataclass(frozen=True)

@@ -18,10 +18,8 @@ if TYPE_CHECKING:
     from trimmer.fitting.measured import MeasuredLines
     from trimmer.fitting.misfit import Fitted
 
-UNLIKELY = 1e-3
-"""Probability below which noise alone does not explain what is left."""
-NAMED = 6
-"""Lines that a sentence names at most, the largest."""
+UNLIKELY = 1e-3  # Probability below which noise alone does not explain what is left
+NAMED = 6  # Lines that a sentence names at most, the largest
 
 
 @dataclass(frozen=True)

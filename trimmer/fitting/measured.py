@@ -20,26 +20,17 @@ from trimmer.spectra.comparison import SimulatedLines, found_frequency, sought
 from trimmer.spectra.harmonics import MOST_HARMONICS, HarmonicFit, fit_harmonics
 from trimmer.spectra.window import Window
 
-MOST_ORDERS = 40
-"""Multiples of the drive that are looked at."""
-MOST_SOUGHT = 60
-"""Lines at fractions and multiples of the drive by which its frequency is found."""
-FEWEST_PERIODS = 12
-"""Periods of the motion in a record; with fewer no noise is seen between the lines."""
+MOST_ORDERS = 40  # Multiples of the drive that are looked at
+MOST_SOUGHT = 60  # Lines at fractions and multiples of the drive by which its frequency is found
+FEWEST_PERIODS = 12  # Periods of the motion in a record; with fewer no noise is seen between the lines
 FEWEST_BINS = 60
 """Bins between lines from which the noise of a line is taken at least, as far as there are so many."""
-GUARD = 2.5
-"""Bins beside a line that are not noise: the half width of the window's main lobe, and some."""
-RARE = 1e-3
-"""Probability with which noise alone makes a line somewhere."""
-SMALLEST_NOISE = 1e-7
-"""Noise, as a share of an output's largest line, below which more is not asked of a fit."""
-WINDOW_SHARE = 1.944
-"""Bins of a Hann window that scatter as one: 1 + 2 (4/9 + 1/36)."""
-SLOPE = 18.7
-"""Variance of a phase's slope over the record with a Hann window, over that of the phase with it."""
-SOUGHT_TO = 1e-5
-"""Bins to which a frequency is sought."""
+GUARD = 2.5  # Bins beside a line that are not noise: the half width of the window's main lobe, and some
+RARE = 1e-3  # Probability with which noise alone makes a line somewhere
+SMALLEST_NOISE = 1e-7  # Noise, as a share of an output's largest line, below which more is not asked of a fit
+WINDOW_SHARE = 1.944  # Bins of a Hann window that scatter as one: 1 + 2 (4/9 + 1/36)
+SLOPE = 18.7  # Variance of a phase's slope over the record with a Hann window, over that of the phase with it
+SOUGHT_TO = 1e-5  # Bins to which a frequency is sought
 _BLOCK = 8192
 
 

@@ -16,15 +16,11 @@ if TYPE_CHECKING:
     from trimmer.arrays import Flags, Reals
     from trimmer.fitting.misfit import Fitted, Misfit
 
-ENOUGH = 1e-2
-"""Decrease of chi-square that is not worth a step."""
+ENOUGH = 1e-2  # Decrease of chi-square that is not worth a step
 MOST_STEPS = 15
-LONGEST = 0.7
-"""Largest change of a coordinate in one step."""
-SHORTEST = 0.05
-"""Share of a step that is tried at least."""
-FAITHFUL = 0.5
-"""Share of what a step promises that it has to do, or the derivative is taken anew."""
+LONGEST = 0.7  # Largest change of a coordinate in one step
+SHORTEST = 0.05  # Share of a step that is tried at least
+FAITHFUL = 0.5  # Share of what a step promises that it has to do, or the derivative is taken anew
 
 
 def nearby_minimum(misfit: Misfit, fitted: Fitted, free: Flags, jacobian: Reals | None = None) -> Fitted:

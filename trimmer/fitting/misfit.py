@@ -12,12 +12,9 @@ from trimmer.fitting.measured import MeasuredLines
 from trimmer.fitting.model import GOES_ON, Model, ModelMotion
 from trimmer.spectra.comparison import best_angle
 
-STEP = 1e-5
-"""Difference of a coordinate from which derivatives are taken; orbits are exact to about 1e-13."""
-ROUGH = 0.1
-"""Share by which the two one-sided derivatives may differ before a smaller difference is tried."""
-SMALLER = 1e-2
-"""By how much smaller that is."""
+STEP = 1e-5  # Difference of a coordinate from which derivatives are taken; orbits are exact to about 1e-13
+ROUGH = 0.1  # Share by which the two one-sided derivatives may differ before a smaller difference is tried
+SMALLER = 1e-2  # By how much smaller that is
 
 
 @dataclass(frozen=True, eq=False)

@@ -21,10 +21,8 @@ from trimmer.response.orbit import Orbit, orbit_of
 from trimmer.response.settling import Settling
 from trimmer.response.shooting import Patience, Return, solve
 
-SETTLED_WITHIN = 400
-"""Drive periods in which a motion has to settle from its start."""
-GOES_ON = 48
-"""Drive periods in which it has to settle again where it has lost its stability, or has vanished."""
+SETTLED_WITHIN = 400  # Drive periods in which a motion has to settle from its start
+GOES_ON = 48  # Drive periods in which it has to settle again where it has lost its stability, or has vanished
 PATIENCE = Patience(iterations=12, halvings=4, followed=2)
 """With which an orbit is continued from a neighbouring one."""
 

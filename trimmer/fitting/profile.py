@@ -20,20 +20,15 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.fitting.misfit import Fitted, Misfit
 
-CLOSE = 0.03
-"""Relative error of the root of the excess at which an end counts as found."""
-BETTER = 0.5
-"""By how much a profile may fall below the fit before the fit begins anew there."""
-MOST_TRIALS = 24
-"""Places at which one side of a profile is tried."""
-LONGEST = 0.7
-"""Largest change of the coordinate from one place to the next."""
+CLOSE = 0.03  # Relative error of the root of the excess at which an end counts as found
+BETTER = 0.5  # By how much a profile may fall below the fit before the fit begins anew there
+MOST_TRIALS = 24  # Places at which one side of a profile is tried
+LONGEST = 0.7  # Largest change of the coordinate from one place to the next
 JUMP = 3.0
 """Root of the excess from which on a place is far outside: a motion of another kind, or a poor guess."""
 COARSE, FINE = 2e-3, 2e-5
 """Shares of the distance from the fit to which an end is known, and a jump is told from a steep rise."""
-NARROW = 1e-7
-"""Change of the coordinate below which no end is told from the fit."""
+NARROW = 1e-7  # Change of the coordinate below which no end is told from the fit
 
 
 @dataclass(frozen=True, eq=False)

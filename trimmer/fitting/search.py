@@ -16,14 +16,10 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.fitting.misfit import Fitted, Misfit
 
-MOST_EVALUATIONS = 40
-"""Orbits of one start, those for derivatives not counted."""
-LOST = 10.0
-"""Size of the residual where no motion is found, over that of the start."""
-AGREES = 1.0
-"""Excess of chi-square over the least one within which a start has come to the same fit."""
-WORTH = 1.5
-"""Chi-square over the least one up to which a fit is made exact."""
+MOST_EVALUATIONS = 40  # Orbits of one start, those for derivatives not counted
+LOST = 10.0  # Size of the residual where no motion is found, over that of the start
+AGREES = 1.0  # Excess of chi-square over the least one within which a start has come to the same fit
+WORTH = 1.5  # Chi-square over the least one up to which a fit is made exact
 
 
 @dataclass(frozen=True, eq=False)

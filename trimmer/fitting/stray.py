@@ -9,8 +9,7 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Reals
 
-MOST_PERIODS = 8
-"""Largest number of drive periods after which a measured motion is taken to repeat."""
+MOST_PERIODS = 8  # Largest number of drive periods after which a measured motion is taken to repeat
 NEAR, NEAREST = 0.4, 0.05
 """Distances in bins within which a line is that of a fraction: of a faint one, and of a strong one."""
 

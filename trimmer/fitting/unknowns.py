@@ -18,8 +18,7 @@ from trimmer.messages import listed
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import called
 
-REACH = 1e3
-"""Factor by which a positive number may leave its start, and how many times its size another one."""
+REACH = 1e3  # Factor by which a positive number may leave its start, and how many times its size another one
 USUAL = (("plays", ("gap", "stiffness", "damping")), ("frictions", ("force",)))
 """Numbers of a mechanism that are fitted if none is named."""
 USUAL_OF_LOOP = ("element", "elements", "frictions")

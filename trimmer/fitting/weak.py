@@ -12,10 +12,8 @@ from trimmer.arrays import Reals
 from trimmer.fitting.unknowns import Unknown
 from trimmer.messages import listed
 
-TOLD = math.log(1.1)
-"""Change of a coordinate, 10 % of the number, that a measurement should tell from none."""
-PART = 0.15
-"""Share of the largest change below which a number does not take part in a combination."""
+TOLD = math.log(1.1)  # Change of a coordinate, 10 % of the number, that a measurement should tell from none
+PART = 0.15  # Share of the largest change below which a number does not take part in a combination
 
 
 @dataclass(frozen=True)

@@ -26,8 +26,7 @@ from trimmer.mechanism.waves import mean_of
 
 MOST_ITERATIONS = 30
 MOST_HALVINGS = 8
-BALANCED = 1e-10
-"""Largest imbalance, relative to the largest force, that counts as a solution."""
+BALANCED = 1e-10  # Largest imbalance, relative to the largest force, that counts as a solution
 
 
 @dataclass(frozen=True, eq=False)

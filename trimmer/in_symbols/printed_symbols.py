@@ -24,8 +24,7 @@ from trimmer.mechanism.parts import Link
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.structures.structure import Structure
 
-Place = tuple[str, str, str]
-"""Section, part, and what is meant of it."""
+Place = tuple[str, str, str]  # Section, part, and what is meant of it
 
 TAKEN = frozenset(
     (
@@ -42,8 +41,7 @@ GREEK = {
     "Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ",
     "Upsilon": "Υ", "Phi": "Φ", "Psi": "Ψ", "Omega": "Ω",
 }  # fmt: skip
-LAST_LATIN_LETTER = "\u017f"
-"""LaTeX prints letters up to this one without further packages."""
+LAST_LATIN_LETTER = "\u017f"  # LaTeX prints letters up to this one without further packages
 PUNCTUATION = " !#%&'()*+,-./:;=?@[]_"
 """What an index may hold beside letters and digits; all that sets formulas sets this alike."""
 LONGEST_INDEX = 24
@@ -124,8 +122,7 @@ STEMS: Mapping[str, tuple[Stem, ...]] = MappingProxyType(
     }
 )
 """What has a symbol of its own, by section; the first is what the symbol that a part carries stands for."""
-WEIGHT = "weight of "
-"""Before the name of a coordinate it is what a point weighs that one with."""
+WEIGHT = "weight of "  # Before the name of a coordinate it is what a point weighs that one with
 _TURNING = (
     Stem("inertia", "J", "moment of inertia of %s", "kg m²"),
     Stem("coordinate", "theta", "angle of %s", "rad"),

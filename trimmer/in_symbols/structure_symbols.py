@@ -14,8 +14,7 @@ from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.structures.structure import Structure
 
-COORDINATE = "coordinate"
-"""Before the name of a coordinate."""
+COORDINATE = "coordinate"  # Before the name of a coordinate
 MATRICES = ("mass", "damping", "stiffness", "mobility")
 """Matrices whose entries have symbols; the last is the inverse of the first."""
 FREQUENCY, DAMPING_RATIO = "natural frequency", "damping ratio"

@@ -25,8 +25,7 @@ _REACH = 1e6
 _LOG_LIMIT = 1e4
 """Stands for an infinite logarithm of a gain, as at a pole on the axis; root finders need numbers."""
 
-_PHASE_ROUNDING = 1e-12
-"""Phase, rad, below which a distance from the real axis is taken for rounding."""
+_PHASE_ROUNDING = 1e-12  # Phase, rad, below which a distance from the real axis is taken for rounding
 
 
 @dataclass(frozen=True)

@@ -18,8 +18,7 @@ from trimmer.linear.crossings import gain_crossings
 from trimmer.linear.frequency_response import UnsupportedSystemError, response_at
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
-DECIBELS_PER_DECADE = 20.0
-"""Roll-off of one pole in excess of the zeros, dB per decade."""
+DECIBELS_PER_DECADE = 20.0  # Roll-off of one pole in excess of the zeros, dB per decade
 
 
 def bandwidth(system: control.lti.LTI, dbdrop: float = -3.0) -> float:

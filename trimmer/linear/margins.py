@@ -12,10 +12,8 @@ import scipy.optimize
 
 from trimmer.arrays import Complexes, Reals
 
-NULL = 1e-12
-"""Singular value over the largest entry up to which a balanced matrix has a null vector."""
-TAKES_PART = 1e-6
-"""Share of the largest entry of null vectors from which on a state takes part in them."""
+NULL = 1e-12  # Singular value over the largest entry up to which a balanced matrix has a null vector
+TAKES_PART = 1e-6  # Share of the largest entry of null vectors from which on a state takes part in them
 
 
 SMALLEST = 1e-9

@@ -23,10 +23,8 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.linear.frequency_response import UnsupportedSystemError, response_at
 from trimmer.showing.shown import Shown
 
-FEWEST = 4
-"""Points that a cubic spline needs."""
-BENDS = 2.0
-"""How much more ln G is taken to bend between two points than beside them."""
+FEWEST = 4  # Points that a cubic spline needs
+BENDS = 2.0  # How much more ln G is taken to bend between two points than beside them
 TURNS = 0.5 * np.pi
 """Change of phase from point to point, rad, from which on it is told that it is not known from data."""
 

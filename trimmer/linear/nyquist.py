@@ -11,8 +11,7 @@ from trimmer.errors import TrimmerError
 from trimmer.linear.frequency_response import UnsupportedSystemError
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
-_SAME = 1e-9
-"""Relative distance within which a zero and a pole are the same, both rounded."""
+_SAME = 1e-9  # Relative distance within which a zero and a pole are the same, both rounded
 
 
 class PointOnLocusError(TrimmerError, ValueError):

@@ -14,8 +14,7 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.linear.frequency_response import UnsupportedSystemError
 
 FORMS = "(num, den), (z, p, k) and (A, B, C, D)"
-PAIRED = 1e-9
-"""Distance of two conjugate roots, relative to their size, up to which they are a pair."""
+PAIRED = 1e-9  # Distance of two conjugate roots, relative to their size, up to which they are a pair
 
 
 def is_plain_form(system: object) -> bool:

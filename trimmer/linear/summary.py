@@ -20,8 +20,7 @@ from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, attributes
 
-CRITICAL_POINT = -1.0
-"""The point of the Nyquist criterion for a loop 1 + G = 0."""
+CRITICAL_POINT = -1.0  # The point of the Nyquist criterion for a loop 1 + G = 0
 
 
 @dataclass(frozen=True)

@@ -25,8 +25,7 @@ from trimmer.showing.table import TERMS, Table
 
 NODES = DEGREE + 1
 """Points of Gauss and Legendre in a step: exact for products of two polynomials of that degree."""
-INTERVALS = 10_000
-"""Steps that are integrated at once."""
+INTERVALS = 10_000  # Steps that are integrated at once
 BODIES = len(TrimmerBody)
 
 

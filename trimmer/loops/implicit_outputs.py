@@ -11,8 +11,7 @@ from trimmer.errors import IllPosedLoopError
 from trimmer.loops.components.switched_component import Constrained, RateProportional, Signals
 from trimmer.loops.interconnection import NEGLIGIBLE, Interconnection, StateLayout, acts
 
-DEPENDENT = 1e-10
-"""Conditions on outputs that differ by less, relative to their sizes, are one."""
+DEPENDENT = 1e-10  # Conditions on outputs that differ by less, relative to their sizes, are one
 
 
 @dataclass(frozen=True)

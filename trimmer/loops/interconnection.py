@@ -135,22 +135,14 @@ class StateLayout:
     drives: tuple[Drive, ...]  # What is prescribed
     following: tuple[int, ...] = ()  # Places of the states that follow from others
 
-    ramp = False
-    """Time itself forces no loop."""
-    recurrence = 1
-    """All drives return together after one period, if at all."""
-    holding = slice(0, 0)
-    """Nothing samples a loop."""
-    drifts = False
-    """Each period of the drives is as the others."""
-    breaks = ()
-    """Nothing forces a loop but its drives."""
-    travels = False
-    """Nor do its states move with a frame."""
-    rates = ()
-    """It is not known which are rates of others."""
-    measured_between = True
-    """A relay switches where its input is zero, so that states say little there."""
+    ramp = False  # Time itself forces no loop
+    recurrence = 1  # All drives return together after one period, if at all
+    holding = slice(0, 0)  # Nothing samples a loop
+    drifts = False  # Each period of the drives is as the others
+    breaks = ()  # Nothing forces a loop but its drives
+    travels = False  # Nor do its states move with a frame
+    rates = ()  # It is not known which are rates of others
+    measured_between = True  # A relay switches where its input is zero, so that states say little there
 
     @classmethod
     def of(cls, interconnection: Interconnection) -> StateLayout:

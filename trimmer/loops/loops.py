@@ -29,8 +29,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.loops.mode import LoopMode
 
-COMPUTED = ("model", "modes")
-"""What a loop computes from its fields and keeps."""
+COMPUTED = ("model", "modes")  # What a loop computes from its fields and keeps
 AT_REST: Mapping[str, float] = ReadOnly({})
 
 

@@ -21,8 +21,7 @@ from trimmer.loops.frictions.stick import projection
 from trimmer.loops.implicit_outputs import OpenMode, component_signals, implicit_outputs, without_rounding
 from trimmer.loops.interconnection import NEGLIGIBLE, Interconnection, StateLayout, effect
 
-FUNCTIONS_OF_COMPONENT = 3
-"""No component by itself has more event functions in a mode."""
+FUNCTIONS_OF_COMPONENT = 3  # No component by itself has more event functions in a mode
 
 
 @dataclass(frozen=True)

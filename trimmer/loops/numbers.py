@@ -25,10 +25,8 @@ from trimmer.parameters import TrimmerParameters
 FREQUENCY: Place = ("frequency",)
 OF_LENGTH = ("amplitude", "gap", "threshold", "hysteresis", "dead_zone", "level")
 """Fields in the unit of the element's input or output."""
-UNITS = {"time_constant": "s", "phase": "rad"}
-"""Units of fields that are the same in every loop."""
-OF_DRIVE = {"frequency": "Hz", "phase": "rad", "amplitude": ""}
-"""Units of a drive among several."""
+UNITS = {"time_constant": "s", "phase": "rad"}  # Units of fields that are the same in every loop
+OF_DRIVE = {"frequency": "Hz", "phase": "rad", "amplitude": ""}  # Units of a drive among several
 OF_FORCE = {"force": "N", "level": "N", "damping": "N s/m"}
 """Units of what works against the motion of bodies in newtons."""
 

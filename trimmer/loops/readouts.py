@@ -22,8 +22,7 @@ if TYPE_CHECKING:
     from trimmer.loops.components.switched_component import Component
     from trimmer.motion.course import Course
 
-IMPACT = OWN_KINDS
-"""The kind of an event at which a pin meets a side of its gap."""
+IMPACT = OWN_KINDS  # The kind of an event at which a pin meets a side of its gap
 
 
 def part_of(label: str, component: Component) -> Part:

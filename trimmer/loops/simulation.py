@@ -23,8 +23,7 @@ OUTCOMES = {
     Ending.DIVERGED: Outcome.DIVERGED,
     Ending.STEP_LIMIT: Outcome.STEP_LIMIT,
 }
-MOST_STEPS = 50_000_000
-"""Steps of one motion if no number is given: about a minute."""
+MOST_STEPS = 50_000_000  # Steps of one motion if no number is given: about a minute
 LARGEST_COUNT = 2**62
 """Upper limit of a number of events or steps, which must fit into 64 bits in the compiled code."""
 

@@ -49,14 +49,11 @@ class LoopSystem:
     interconnection: Interconnection
     _assembled: dict[tuple[int, ...], LoopMode] = field(default_factory=dict, init=False, repr=False)
 
-    kind_count = OWN_KINDS + 4
-    """Number of kinds of events, and of what counts as none."""
+    kind_count = OWN_KINDS + 4  # Number of kinds of events, and of what counts as none
     action_count = OWN_ACTIONS + FUNCTIONS_OF_COMPONENT
     """Number of actions that event functions of one component can have."""
-    decaying_states = np.zeros(0, dtype=np.int64)
-    """No state decays by itself."""
-    scales = np.zeros(0)
-    """Nor has one a size below which it is negligible."""
+    decaying_states = np.zeros(0, dtype=np.int64)  # No state decays by itself
+    scales = np.zeros(0)  # Nor has one a size below which it is negligible
 
     @property
     def clockwork(self) -> None:

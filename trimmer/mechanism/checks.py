@@ -20,15 +20,13 @@ from trimmer.mechanism.quantities import FREQUENCY, PARTS, QUANTITIES, WEIGHT
 from trimmer.mechanism.structures.structure import Structure
 from trimmer.mechanism.waves import problems_of_waveform
 
-LONGEST_TITLE = 1000
-"""Characters of a title, and of who wrote a file."""
+LONGEST_TITLE = 1000  # Characters of a title, and of who wrote a file
 _SYMBOL_RULE = 'a symbol is a letter or a name, perhaps with an index, as in "k_2" or "k_bridge"'
 
 _LETTER = "A-Za-zΑ-Ωα-ω"
 _SYMBOL = re.compile(rf"[{_LETTER}]+[0-9]*(?:_[{_LETTER}0-9]+|_\{{[{_LETTER}0-9]+(?:,[{_LETTER}0-9]+)*\}})?")
 
-Content = Mapping[str, object]
-"""Fields of a mechanism, by name."""
+Content = Mapping[str, object]  # Fields of a mechanism, by name
 
 OPTIONAL_NUMBERS = {"static", "force", "mass", "inertia", "damping_ratio"}
 """Numbers that may be None, for what the docstring of the part says."""

@@ -13,8 +13,7 @@ from trimmer.mechanism.parts import Force, Pin
 from trimmer.mechanism.waves import Wave, is_driven, waves_of
 from trimmer.ties import MOST_TURNS, common_return
 
-RETURNS = MOST_TURNS
-"""Periods of the frequency after which all drives return together at most."""
+RETURNS = MOST_TURNS  # Periods of the frequency after which all drives return together at most
 
 
 def drive_frequency(mechanism: Mechanism) -> float | None:

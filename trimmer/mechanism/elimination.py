@@ -12,8 +12,7 @@ import numpy as np
 
 from trimmer.arrays import Integers, Reals
 
-ROUNDING = 1e-12
-"""A sum below this share of the moduli of its terms is zero."""
+ROUNDING = 1e-12  # A sum below this share of the moduli of its terms is zero
 
 _RIGHT = -1
 _Row = dict[int, tuple[float, float]]

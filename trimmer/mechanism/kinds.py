@@ -49,8 +49,7 @@ class Kind(Enum):
         return field if unit == field.unit else replace(field, unit=unit, example=_EXAMPLES[unit])
 
 
-ARM = NumberField("m", "50 mm")
-"""Weight of a rotation in a point that moves along the line."""
+ARM = NumberField("m", "50 mm")  # Weight of a rotation in a point that moves along the line
 _FIELDS: Mapping[tuple[type, Kind], Mapping[str, NumberField]] = MappingProxyType(
     {
         (part, kind): MappingProxyType({key: kind.field(each) for key, each in numbers.items()})

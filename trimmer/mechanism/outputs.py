@@ -20,10 +20,8 @@ OF_ENDS = {kind.word: kind for kind in (OutputKind.VELOCITY, OutputKind.ACCELERA
 """The kinds with weights that have a key of their own."""
 FORCE = OutputKind.FORCE.word
 CONTROL = OutputKind.CONTROL.word
-OF_PARTS = {kind.word: kind for kind in (OutputKind.FORCE, OutputKind.CONTROL)}
-"""The kinds that name a part."""
-KEYS = (*OF_ENDS, FORCE, CONTROL)
-"""Keys that say of which kind an output is, each of which then stands alone."""
+OF_PARTS = {kind.word: kind for kind in (OutputKind.FORCE, OutputKind.CONTROL)}  # The kinds that name a part
+KEYS = (*OF_ENDS, FORCE, CONTROL)  # Keys that say of which kind an output is, each of which then stands alone
 UNITS: Mapping[OutputKind, str] = MappingProxyType(
     {
         OutputKind.DISPLACEMENT: "m",

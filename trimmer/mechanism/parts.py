@@ -13,10 +13,8 @@ from trimmer.choices import Choice
 
 GROUND = "ground"
 """The name of the fixed frame, where an end or a carrier is asked for."""
-Curve = tuple[tuple[float, float], ...]
-"""Points of a curve: abscissa and force."""
-Row = tuple[float, ...]
-"""A row of a list of numbers, such as order, amplitude and phase."""
+Curve = tuple[tuple[float, float], ...]  # Points of a curve: abscissa and force
+Row = tuple[float, ...]  # A row of a list of numbers, such as order, amplitude and phase
 COUPLINGS = ("links", "plays", "stops", "walls", "frictions")
 """Sections whose parts stand between two ends, and have a force that may be asked for."""
 

@@ -11,8 +11,7 @@ from trimmer.errors import MechanismError
 from trimmer.messages import did_you_mean, listed, near_words
 
 Place = tuple[str, ...]
-MOST_MEANT = 3
-"""Places that a message asks for at once."""
+MOST_MEANT = 3  # Places that a message asks for at once
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _SEGMENT = re.compile(r"""\s*(?:("(?:[^"\\\n]|\\.)*"|'[^'\n]*')|([^."'=]*?))\s*(\.|$)""")
 

@@ -23,8 +23,7 @@ from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import shown_value
 
-STATE = ("displacement", "velocity")
-"""What a start gives of a body, in the order of the file."""
+STATE = ("displacement", "velocity")  # What a start gives of a body, in the order of the file
 
 
 def quantities(mechanism: Mechanism) -> dict[Place, NumberField]:
@@ -167,8 +166,7 @@ def _is_left_out(mechanism: Mechanism, names: Place) -> bool:
     return hasattr(mechanism.controllers.get(names[1]), names[2])
 
 
-_parsed = lru_cache(maxsize=256)(parse_place)
-"""The same few places are asked for over and over."""
+_parsed = lru_cache(maxsize=256)(parse_place)  # The same few places are asked for over and over
 
 
 def _quantity(mechanism: Mechanism, names: Place) -> NumberField | None:

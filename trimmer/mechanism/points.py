@@ -10,8 +10,7 @@ from trimmer.mechanism.parts import COUPLINGS, GROUND, Pin, Point
 from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.structures.ends import coordinates_in, no_such_end, weights_in
 
-SAME = 1e-12
-"""Difference of two weights, as a share of the largest one, that is taken for rounding."""
+SAME = 1e-12  # Difference of two weights, as a share of the largest one, that is taken for rounding
 
 
 def problems_of_points(content: Mapping[str, Any]) -> Iterator[Problem]:

@@ -10,8 +10,7 @@ from typing import Any
 from trimmer.mechanism.place_text import place_text
 from trimmer.messages import in_lines, near_match, shown_value, there_is
 
-LONGEST_NAME = 300
-"""Characters of a name; each is repeated in every table and message."""
+LONGEST_NAME = 300  # Characters of a name; each is repeated in every table and message
 _SHOWN = 40
 
 

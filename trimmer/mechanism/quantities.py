@@ -15,8 +15,7 @@ from trimmer.mechanism.problems import NOTHING, Problem
 from trimmer.mechanism.structures.structure import Structure
 from trimmer.mechanism.units import quantity
 
-_LOWEST = 1e-300
-"""Hz; thousands of periods of it are still finite."""
+_LOWEST = 1e-300  # Hz; thousands of periods of it are still finite
 
 
 class Range(Enum):

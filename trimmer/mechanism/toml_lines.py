@@ -10,8 +10,7 @@ import tomllib
 from collections.abc import Iterator
 from typing import Any
 
-Place = tuple[str, ...]
-"""Keys that lead to a value; entries of arrays are counted from 0, as text."""
+Place = tuple[str, ...]  # Keys that lead to a value; entries of arrays are counted from 0, as text
 
 _BLANK = re.compile(r"(?:[ \t\r\n]|\#[^\n]*)*")
 _STRING = re.compile(

@@ -22,8 +22,7 @@ _NUMBER_AND_UNIT = re.compile(
 _FACTOR = re.compile(r"(?P<name>[A-Za-zµμ]+|°|1)(?:\^(?P<power>[+-]?[1-9])|(?P<raised>⁻?[¹²³⁴⁵⁶⁷⁸⁹]))?")
 _RAISED = str.maketrans("⁻¹²³⁴⁵⁶⁷⁸⁹", "-123456789")
 _LONGEST_NUMBER = 60
-_LARGEST_EXPONENT = 100
-"""Beyond these a fraction would cost memory."""
+_LARGEST_EXPONENT = 100  # Beyond these a fraction would cost memory
 
 
 class UnitError(ValueError):

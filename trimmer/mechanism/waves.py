@@ -20,14 +20,11 @@ from trimmer.mechanism.quantities import is_number
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes
 
-ORDERS = 20
-"""Orders of a waveform that are taken if no number is given."""
+ORDERS = 20  # Orders of a waveform that are taken if no number is given
 FEWEST, MOST = 3, 100_000
 """Samples of a waveform."""
-UNEVEN = 0.01
-"""By how much of their distance phases may be off, as in rounded text."""
-ROUNDING = 1e-14
-"""Share of the largest amplitude of a waveform below which another is rounding."""
+UNEVEN = 0.01  # By how much of their distance phases may be off, as in rounded text
+ROUNDING = 1e-14  # Share of the largest amplitude of a waveform below which another is rounding
 
 
 class Wave(NamedTuple):

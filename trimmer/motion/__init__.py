@@ -11,8 +11,7 @@ from importlib import import_module
 from typing import Any
 from warnings import warn
 
-__all__: tuple[str, ...] = ()
-"""Nothing is public here: what is measured of a motion is asked of a result."""
+__all__: tuple[str, ...] = ()  # Nothing is public here: what is measured of a motion is asked of a result
 
 
 def __getattr__(name: str) -> Any:

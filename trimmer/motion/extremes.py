@@ -12,8 +12,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Integers, Reals
     from trimmer.motion.course import Course
 
-NEWTON_STEPS = 5
-"""Steps of Newton's method from between two nodes to the place of an extreme."""
+NEWTON_STEPS = 5  # Steps of Newton's method from between two nodes to the place of an extreme
 
 
 class TurningPoints(NamedTuple):

@@ -22,10 +22,8 @@ from trimmer.motion.signals import Readout, Signal, Steady
 from trimmer.motion.subject import Subject
 from trimmer.motion.units import Units
 
-ROUNDING = 8 * float(np.finfo(float).eps)
-"""Share of a time that is lost where it is the sum of several."""
-BLOCK = 100_000
-"""Steps that periods followed in one call of the compiled code may take: no interrupt ends it."""
+ROUNDING = 8 * float(np.finfo(float).eps)  # Share of a time that is lost where it is the sum of several
+BLOCK = 100_000  # Steps that periods followed in one call of the compiled code may take: no interrupt ends it
 
 
 MADE_AGAIN = ("outputs", "accelerations", "parts")

@@ -17,8 +17,7 @@ from trimmer.motion.course import Course
 
 FAST = 3.0
 """Half the angle by which a wave turns over a step, rad, up to which the nodes integrate it as they are."""
-MANY = 1_000_000
-"""About so many values of waves are held at once."""
+MANY = 1_000_000  # About so many values of waves are held at once
 
 
 def fourier(course: Course, signals: Reals, omega: float, count: int) -> Complexes:

@@ -17,8 +17,7 @@ from trimmer.motion.fourier import fourier
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 from trimmer.motion.signals import Signal, along, read
 
-HARMONICS = 20
-"""Number of harmonics of the drive that are given."""
+HARMONICS = 20  # Number of harmonics of the drive that are given
 
 
 @dataclass(frozen=True, eq=False)

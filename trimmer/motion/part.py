@@ -28,8 +28,7 @@ EITHER_SIDE: Mapping[Phase, Phase] = {
     Phase.ABOVE: Phase.BEYOND,
     Phase.BELOW: Phase.BEYOND,
 }
-TOUCHING = (Phase.UPPER, Phase.LOWER, Phase.EITHER)
-"""Phases of contact."""
+TOUCHING = (Phase.UPPER, Phase.LOWER, Phase.EITHER)  # Phases of contact
 
 
 @dataclass(frozen=True, eq=False)

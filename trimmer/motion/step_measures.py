@@ -23,10 +23,8 @@ if TYPE_CHECKING:
     from trimmer.motion.course import Course
     from trimmer.motion.signals import Signal
 
-RISE = 0.1, 0.9
-"""Shares of the step from the first reaching of which to that of the other it rises."""
-BAND = 0.02
-"""Share of the step within which the signal stays once it has settled."""
+RISE = 0.1, 0.9  # Shares of the step from the first reaching of which to that of the other it rises
+BAND = 0.02  # Share of the step within which the signal stays once it has settled
 
 
 @dataclass(frozen=True)

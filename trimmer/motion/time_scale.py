@@ -12,8 +12,7 @@ if TYPE_CHECKING:
     from trimmer.hybrid.advance import Instant
     from trimmer.motion.flow import Flow
 
-NEGLIGIBLE = 1e-9
-"""Share of the largest eigenvalue below which another one is that of a state that stays."""
+NEGLIGIBLE = 1e-9  # Share of the largest eigenvalue below which another one is that of a state that stays
 ROUNDING = 64 * float(np.finfo(float).eps)
 """Share of each entry by which rounding changes a matrix; its condition carries a zero eigenvalue so far."""
 

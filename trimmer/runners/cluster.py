@@ -21,8 +21,7 @@ from trimmer.runners.runner import CHUNK, Cell, Result
 if TYPE_CHECKING:
     from distributed import Client
 
-PATIENCE = 20
-"""Seconds to wait for the scheduler, and then for its first worker."""
+PATIENCE = 20  # Seconds to wait for the scheduler, and then for its first worker
 
 _LIBRARIES = ("trimmer", "numpy", "scipy", "numba")
 _ONE_AT_A_TIME = threading.Lock()

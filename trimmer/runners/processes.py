@@ -27,8 +27,7 @@ from trimmer.runners.chunks import handed_back
 from trimmer.runners.runner import CHUNK, Cell, Result
 
 _SAFE = "PYTHONSAFEPATH"
-MOST_OF_A_CORE = 4
-"""Processes for each core that may be asked for."""
+MOST_OF_A_CORE = 4  # Processes for each core that may be asked for
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,7 @@ from numbers import Complex, Integral, Real
 from trimmer.choices import Choice
 from trimmer.showing.table import Table
 
-MOST_ROWS = 20
-"""Rows that are shown."""
+MOST_ROWS = 20  # Rows that are shown
 
 
 def sentence(name: str, told: str) -> str:

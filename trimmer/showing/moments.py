@@ -7,8 +7,7 @@ import numpy as np
 from trimmer.arguments import whole_number
 from trimmer.arrays import Reals
 
-POINTS = 1000
-"""Instants that are evenly spread, if no number is given."""
+POINTS = 1000  # Instants that are evenly spread, if no number is given
 
 
 def moments(duration: float, events: Reals, points: int) -> Reals:

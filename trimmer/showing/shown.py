@@ -16,8 +16,7 @@ if TYPE_CHECKING:
 
     from trimmer.showing.table import Table
 
-LONGEST = 160
-"""Most characters of what is told."""
+LONGEST = 160  # Most characters of what is told
 
 
 class Shown:

@@ -17,10 +17,8 @@ from trimmer.signals.omega_kernel import REACH, OmegaKernel
 from trimmer.signals.quantity import MotionQuantity
 from trimmer.signals.signal import Signal, SignalError
 
-ANTI_ALIAS = 2.56
-"""Sample rate over the highest frequency that anti-alias filters of analysers usually pass."""
-NOISE_SHARE = 0.01
-"""Largest share of the variance in the trusted band that may be noise: 10 % of the rms."""
+ANTI_ALIAS = 2.56  # Sample rate over the highest frequency that anti-alias filters of analysers usually pass
+NOISE_SHARE = 0.01  # Largest share of the variance in the trusted band that may be noise: 10 % of the rms
 SENSOR_RATIO = 3.0
 """From how many times its corner on a sensor's high-pass of first order takes at most about 5 % off."""
 

@@ -11,8 +11,7 @@ from trimmer.arrays import Places, Reals
 from trimmer.choices import Choice
 from trimmer.signals.text_file import SignalFileError
 
-LARGEST_SHARE = 0.1
-"""Largest share of samples that may be interpolated."""
+LARGEST_SHARE = 0.1  # Largest share of samples that may be interpolated
 
 
 class MissingValues(Choice):

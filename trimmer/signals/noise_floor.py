@@ -9,10 +9,8 @@ import numpy as np
 
 from trimmer.arrays import Reals
 
-_RATIO = 1.3
-"""The median is taken from f / 1.3 to 1.3 f, so that a floor that rises towards 0 Hz is followed."""
-_FEWEST = 12
-"""Bins on either side from which it is taken at least."""
+_RATIO = 1.3  # The median is taken from f / 1.3 to 1.3 f, so that a floor that rises towards 0 Hz is followed
+_FEWEST = 12  # Bins on either side from which it is taken at least
 _PLACES = 160
 _HANN_BANDWIDTH = 1.5
 

@@ -11,11 +11,9 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.signals.band import Band
 from trimmer.signals.signal import Signal, SignalError
 
-REACH = 3.0
-"""Half length of the kernel times the width of the narrowest flank, in s and Hz."""
+REACH = 3.0  # Half length of the kernel times the width of the narrowest flank, in s and Hz
 
-_SHAPE = 10.0
-"""Kaiser's beta of the flanks: what the kernel has beyond ``REACH`` is then about 1e-4 of it."""
+_SHAPE = 10.0  # Kaiser's beta of the flanks: what the kernel has beyond ``REACH`` is then about 1e-4 of it
 _FEWEST_LEFT = 16
 
 

@@ -21,8 +21,7 @@ from trimmer.signals.quantity import MotionQuantity, in_si, quantity_of
 
 _HEADING = re.compile(r"(?P<name>.*?)\s*(?:\[(?P<square>[^][]*)\]|\((?P<round>[^()]*)\))?", flags=re.DOTALL)
 
-LARGEST_VALUE = 1e300
-"""Largest sample; sums and products with larger ones would not be numbers any more."""
+LARGEST_VALUE = 1e300  # Largest sample; sums and products with larger ones would not be numbers any more
 
 
 class SignalError(TrimmerError, ValueError):

@@ -14,8 +14,7 @@ from trimmer.signals.text_file import SignalFileError
 STAMP_TOLERANCE = 0.05
 """How far a time stamp may be from its place, in sampling intervals: room for stamps that are rounded."""
 
-RATE_TOLERANCE = 1e-3
-"""How far a sample rate that is given may be from that of the time stamps, relative."""
+RATE_TOLERANCE = 1e-3  # How far a sample rate that is given may be from that of the time stamps, relative
 
 ROUNDED = 0.75
 """How far a rounded time stamp may be from its place, in units of its last digit.

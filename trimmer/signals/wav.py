@@ -25,11 +25,9 @@ SUITED_RATES = (8000, 11025, 12000, 16000, 22050, 24000, 32000, 44100, 48000, 88
 HIGHEST_TARGET = 48000
 """Highest sample rate to which a signal is resampled, Hz; what it leaves out cannot be heard."""
 
-LOWEST_AUDIBLE = 20.0
-"""Lowest frequency that is heard as a sound, Hz."""
+LOWEST_AUDIBLE = 20.0  # Lowest frequency that is heard as a sound, Hz
 
-SHORTEST = 0.01
-"""Shortest vibration that is written, s."""
+SHORTEST = 0.01  # Shortest vibration that is written, s
 
 _LARGEST_FACTOR = 50_000
 _LARGEST_DATA = 2**32 - 64

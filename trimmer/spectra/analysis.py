@@ -28,8 +28,7 @@ from trimmer.spectra.peaks import Peak, peaks
 from trimmer.spectra.spectrum import Spectrum, amplitude_spectrum
 from trimmer.spectra.window import Window
 
-USUAL_LIMIT = 20
-"""Number of peaks that are kept if none is given."""
+USUAL_LIMIT = 20  # Number of peaks that are kept if none is given
 
 
 @dataclass(frozen=True, eq=False, repr=False)

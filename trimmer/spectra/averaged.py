@@ -18,11 +18,9 @@ from trimmer.signals.signal import Signal, SignalError
 from trimmer.spectra.spectrum import FEWEST_SAMPLES, IN_UNIT_OF_SIGNAL
 from trimmer.spectra.window import Window
 
-CONFIDENCE = 0.95
-"""Confidence of all intervals."""
+CONFIDENCE = 0.95  # Confidence of all intervals
 
-_NEAR = 40
-"""Bins on either side of a line from which the noise beside it is taken."""
+_NEAR = 40  # Bins on either side of a line from which the noise beside it is taken
 _LARGE = 1e4
 _FALSE_ALARM = 0.01
 _SMALLEST_SQUARED, _LARGEST_SQUARED = 1e-140, 1e140

@@ -20,20 +20,16 @@ OPEN_LOOP = (
 )
 """Why a driven trimmer is not said to have a limit cycle."""
 
-TOLERANCE_BINS = 1.0
-"""How far from its frequency a peak may be, in bins: the resolution of a record."""
+TOLERANCE_BINS = 1.0  # How far from its frequency a peak may be, in bins: the resolution of a record
 
-MODEL_TOLERANCE = 0.01
-"""How far a frequency that a model predicts may be off, relative."""
+MODEL_TOLERANCE = 0.01  # How far a frequency that a model predicts may be off, relative
 
-DENOMINATORS = range(2, 7)
-"""Denominators of the fractions of the drive that are looked for."""
+DENOMINATORS = range(2, 7)  # Denominators of the fractions of the drive that are looked for
 
 FRACTION_BINS = 0.1
 """Share of the tolerance in bins for fractions, which lie so close that any peak is near one."""
 
-ODD_ORDERS = (1, 3, 5)
-"""Harmonics of a limit cycle that are looked for: an odd element has odd ones only."""
+ODD_ORDERS = (1, 3, 5)  # Harmonics of a limit cycle that are looked for: an odd element has odd ones only
 
 
 @final

@@ -23,18 +23,14 @@ from trimmer.spectra.window import Window
 
 SURE = 30.0
 """Fall of the sum of squares that makes another line certain: noise alone gives it once in 10^5 peaks."""
-POSSIBLE = 12.0
-"""Fall from which on another line is possible: noise alone gives it at one peak in twenty."""
-MOST = 3
-"""Sines that are tried for a group, or one more than were found in it."""
+POSSIBLE = 12.0  # Fall from which on another line is possible: noise alone gives it at one peak in twenty
+MOST = 3  # Sines that are tried for a group, or one more than were found in it
 TOGETHER = 24
 """Lines that are fitted together at most; of more that are close to each other, parts are fitted."""
 LARGEST = 10.0
 """A line that is so many times larger than what is seen is one of several that cancel, and no real one."""
-CLEAR = 3.0
-"""So many times larger than what is left, a line is there beside one that is no steady sine."""
-APART = 1.0
-"""Bins below which two sines cannot be told from one that changes during the record."""
+CLEAR = 3.0  # So many times larger than what is left, a line is there beside one that is no steady sine
+APART = 1.0  # Bins below which two sines cannot be told from one that changes during the record
 
 
 @dataclass(frozen=True)

@@ -22,8 +22,7 @@ from trimmer.spectra.peaks import peaks
 from trimmer.spectra.spectrum import amplitude_spectrum
 from trimmer.spectra.window import Window
 
-NEAR = 0.03
-"""How far from that of the simulation the frequency of the drive is looked for, relative."""
+NEAR = 0.03  # How far from that of the simulation the frequency of the drive is looked for, relative
 
 _POINTS_PER_LINE = 32
 _HANN_LOSS = math.sqrt(1.5)

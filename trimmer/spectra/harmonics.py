@@ -18,8 +18,7 @@ from trimmer.signals.signal import SignalError, checked_rate, checked_samples
 from trimmer.spectra.spectrum import IN_UNIT_OF_SIGNAL
 from trimmer.spectra.window import Window
 
-MOST_HARMONICS = 20
-"""Highest harmonic that is fitted if no number is given."""
+MOST_HARMONICS = 20  # Highest harmonic that is fitted if no number is given
 
 _BLOCK = 16384
 

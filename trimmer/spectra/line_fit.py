@@ -21,20 +21,14 @@ from trimmer.spectra.lines import Lines, leakage
 from trimmer.spectra.spectrum import Spectrum
 from trimmer.spectra.window import Window
 
-LINKED = 6
-"""Bins up to which lines are fitted together, at least."""
-REACH = 6
-"""Bins beyond the main lobe, on either side, in which a line is held against what is there."""
-ROUNDING = 1e-11
-"""Share of the largest line below which what is left of a fit is rounding."""
-STEP = 1e-4
-"""Bins between places of which a derivative is taken."""
+LINKED = 6  # Bins up to which lines are fitted together, at least
+REACH = 6  # Bins beyond the main lobe, on either side, in which a line is held against what is there
+ROUNDING = 1e-11  # Share of the largest line below which what is left of a fit is rounding
+STEP = 1e-4  # Bins between places of which a derivative is taken
 STEPS, LONGEST, SETTLED = 15, 0.7, 1e-6
 """Steps of a fit at most; how far, in bins, a place may go in one; change of the misfit at which it ends."""
-PAIRS = np.arange(-3.0, 3.1, 0.4)
-"""Places around a line, in bins, of which pairs are tried."""
-BETWEEN = 0.25
-"""Bins between places at which another line is tried."""
+PAIRS = np.arange(-3.0, 3.1, 0.4)  # Places around a line, in bins, of which pairs are tried
+BETWEEN = 0.25  # Bins between places at which another line is tried
 
 
 @dataclass(frozen=True, eq=False)

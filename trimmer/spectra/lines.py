@@ -16,8 +16,7 @@ _STEP = 1e-4
 _FIRST_STEPS = 6
 _SWEEPS = 30
 _SETTLED = 1e-12
-_STRIDE = 3
-"""Of how many bins around a peak one is taken to tell the noise."""
+_STRIDE = 3  # Of how many bins around a peak one is taken to tell the noise
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,5 +113,4 @@ def _product(first: Complexes, second: Complexes) -> Complexes:
     return np.asarray((first.conj() * second).sum(axis=1))
 
 
-NONE = Lines(np.empty(0, np.intp), np.empty(0), np.empty(0, np.complex128))
-"""No lines."""
+NONE = Lines(np.empty(0, np.intp), np.empty(0), np.empty(0, np.complex128))  # No lines

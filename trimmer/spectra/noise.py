@@ -9,8 +9,7 @@ from scipy.ndimage import median_filter
 
 from trimmer.arrays import Reals
 
-NEIGHBOURHOOD = 401
-"""Number of bins over which noise is taken as white."""
+NEIGHBOURHOOD = 401  # Number of bins over which noise is taken as white
 
 
 def noise_threshold(amplitude: Reals, false_alarm: float) -> Reals:

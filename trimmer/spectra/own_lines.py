@@ -18,16 +18,11 @@ from trimmer.spectra.classification import (
 )
 from trimmer.spectra.peaks import Peak
 
-HIGHEST = 20
-"""The largest multiple of a motion's own frequency by which that is told."""
-FEWEST = 3
-"""How many multiples there are of it at least."""
-MAINS = (50.0, 60.0)
-"""Frequencies of the mains, Hz."""
-MAINS_ORDERS = 10
-"""Multiples of these that are looked for: beyond, any peak is near one."""
-MAINS_TOLERANCE = 0.001
-"""How far the mains may be off, relative: 50 mHz of 50 Hz in normal operation."""
+HIGHEST = 20  # The largest multiple of a motion's own frequency by which that is told
+FEWEST = 3  # How many multiples there are of it at least
+MAINS = (50.0, 60.0)  # Frequencies of the mains, Hz
+MAINS_ORDERS = 10  # Multiples of these that are looked for: beyond, any peak is near one
+MAINS_TOLERANCE = 0.001  # How far the mains may be off, relative: 50 mHz of 50 Hz in normal operation
 
 
 def with_own_lines(

@@ -19,14 +19,12 @@ from trimmer.spectra.lines import NONE, Lines, added, bins_near, leakage, relaxe
 from trimmer.spectra.noise import NEIGHBOURHOOD, noise_threshold
 from trimmer.spectra.spectrum import Spectrum
 
-MOST_PEAKS = 200
-"""Most peaks that are looked for, the largest; it bounds the time."""
+MOST_PEAKS = 200  # Most peaks that are looked for, the largest; it bounds the time
 
 _BATCH = 0.3
 _CROWDED = 0.25
 """Share of the bins in main lobes of lines from which on noise is judged by what the lines leave."""
-_SKIRT = 64
-"""Bins on either side of a line in which its leakage may hide a smaller one."""
+_SKIRT = 64  # Bins on either side of a line in which its leakage may hide a smaller one
 
 
 @dataclass(frozen=True)

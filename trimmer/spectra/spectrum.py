@@ -15,8 +15,7 @@ from trimmer.showing.table import Table, arrays
 from trimmer.signals.signal import SignalError, checked_rate, checked_samples
 from trimmer.spectra.window import Window
 
-IN_UNIT_OF_SIGNAL = "unit of the signal"
-"""Stands for the unit of an amplitude where it is not known."""
+IN_UNIT_OF_SIGNAL = "unit of the signal"  # Stands for the unit of an amplitude where it is not known
 FEWEST_SAMPLES = 16
 """Fewest samples of which a spectrum is made: the main lobe of the widest window has 10 bins."""
 

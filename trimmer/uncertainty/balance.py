@@ -17,8 +17,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Flags, Reals
     from trimmer.uncertainty.samples import Samples
 
-HARMONICS = 15
-"""Harmonics of the drive up to which forces balance."""
+HARMONICS = 15  # Harmonics of the drive up to which forces balance
 
 
 @dataclass(frozen=True, eq=False)

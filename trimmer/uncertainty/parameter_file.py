@@ -17,8 +17,7 @@ if TYPE_CHECKING:
     from trimmer.uncertainty.distributions import Uncertainty
     from trimmer.uncertainty.table import Numbers
 
-GAP = "gap"
-"""The clearance of the play, which stands among the parameters of a file that scatter."""
+GAP = "gap"  # The clearance of the play, which stands among the parameters of a file that scatter
 _SHORT: Mapping[str, str] = {}
 
 

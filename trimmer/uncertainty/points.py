@@ -10,8 +10,7 @@ from trimmer.arrays import Reals
 from trimmer.choices import Choice
 from trimmer.showing.shown import counted
 
-EDGE = 2.0**-40
-"""Least distance from the faces of the cube, where a normal distribution has no value."""
+EDGE = 2.0**-40  # Least distance from the faces of the cube, where a normal distribution has no value
 
 
 class Plan(Choice):

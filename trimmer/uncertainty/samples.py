@@ -33,8 +33,7 @@ from trimmer.uncertainty.sample_file import SampleFile
 from trimmer.uncertainty.sample_inputs import SampleInputs, SampleSettings, sample_inputs
 from trimmer.uncertainty.sample_records import NOWHERE, Keeping
 
-FEW = 12
-"""Samples up to which other processes are not worth their beginning."""
+FEW = 12  # Samples up to which other processes are not worth their beginning
 
 
 @dataclass(frozen=True)

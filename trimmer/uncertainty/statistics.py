@@ -10,8 +10,7 @@ from trimmer.arrays import Reals
 
 CONFIDENCE = 0.95
 QUANTILES = (0.05, 0.5, 0.95)
-ROUNDING = 1e-12
-"""Share of the largest value within which all are the same."""
+ROUNDING = 1e-12  # Share of the largest value within which all are the same
 
 
 @dataclass(frozen=True)

@@ -23,22 +23,15 @@ from trimmer.messages import listed
 from trimmer.showing.shown import Shown, Tabular, counted
 from trimmer.showing.table import Table, attributes
 
-ORDER = 15
-"""Highest harmonic if none is asked for."""
-MOST_STARTS = 40
-"""Starts that are tried, the nearest to a balance first."""
+ORDER = 15  # Highest harmonic if none is asked for
+MOST_STARTS = 40  # Starts that are tried, the nearest to a balance first
 BALANCED = 1e-9
 """Largest imbalance of any harmonic, relative to the first one of its element, that counts as a solution."""
-NO_OUTPUT = 1e3
-"""Imbalance where an element has no steady output."""
-EVALUATIONS = 20
-"""Evaluations for each unknown after which a solution is given up."""
-SMALLEST = 1e-3
-"""Share of its start below which an amplitude has left it for nothing."""
-SAME = 1e-6
-"""Relative difference of frequency and amplitudes up to which two solutions are one."""
-BEYOND = 100.0
-"""How far beyond the slowest and the fastest mode of the plant frequencies are searched."""
+NO_OUTPUT = 1e3  # Imbalance where an element has no steady output
+EVALUATIONS = 20  # Evaluations for each unknown after which a solution is given up
+SMALLEST = 1e-3  # Share of its start below which an amplitude has left it for nothing
+SAME = 1e-6  # Relative difference of frequency and amplitudes up to which two solutions are one
+BEYOND = 100.0  # How far beyond the slowest and the fastest mode of the plant frequencies are searched
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -24,10 +24,8 @@ OMEGAS, AMPLITUDES = 81, 41
 """Places of the grid, in equal ratios."""
 SMALLEST, LARGEST = 1e-2, 1e4
 """Amplitudes over the natural scale of an element."""
-ITERATIONS = 6
-"""How often amplitudes are put into N."""
-NEAR = 0.7
-"""Distance of an eigenvalue from 1 up to which it is worth a start."""
+ITERATIONS = 6  # How often amplitudes are put into N
+NEAR = 0.7  # Distance of an eigenvalue from 1 up to which it is worth a start
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,8 +10,7 @@ import scipy.optimize
 
 from trimmer.arrays import Complexes, Integers, Reals
 
-POINTS = 721
-"""Points of an interval of phases between which a function changes its sign at most once."""
+POINTS = 721  # Points of an interval of phases between which a function changes its sign at most once
 
 
 @dataclass(frozen=True, eq=False)

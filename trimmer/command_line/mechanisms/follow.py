@@ -20,8 +20,7 @@ if TYPE_CHECKING:
     from trimmer.loops.trimmer_loop import TrimmerLoop
     from trimmer.mechanism.mechanism import Mechanism
 
-MOST_HARMONICS = 1000
-"""Harmonics whose equations are solved in seconds; an orbit with stick needs hundreds."""
+MOST_HARMONICS = 1000  # Harmonics whose equations are solved in seconds; an orbit with stick needs hundreds
 
 
 def _configure(parser: ArgumentParser) -> None:

@@ -21,10 +21,8 @@ if TYPE_CHECKING:
     from trimmer.linear.margins import Margins
     from trimmer.mechanism.mechanism import Mechanism
 
-TURNED = 10.0
-"""Degrees by which a share of a mode may be out of phase and yet be shown with a sign alone."""
-STILL = 5e-4
-"""Share of the largest displacement of a mode that is shown as 0."""
+TURNED = 10.0  # Degrees by which a share of a mode may be out of phase and yet be shown with a sign alone
+STILL = 5e-4  # Share of the largest displacement of a mode that is shown as 0
 
 
 def chosen_states(mechanism: Mechanism, texts: Sequence[str]) -> tuple[LinearState, ...]:

@@ -12,8 +12,7 @@ from trimmer.motion.subject import Subject
 FORM = "PLACE=A:B:N"
 EXAMPLE = "plays.bridge.gap=0um:500um:50"
 MOST_VALUES = 100_000
-_DIGITS = 9
-"""As many digits as are looked at: a number of thousands of them is too large at once."""
+_DIGITS = 9  # As many digits as are looked at: a number of thousands of them is too large at once
 
 
 def add_interval_options(parser: ArgumentParser, vary: str, start: str, stop: str) -> None:

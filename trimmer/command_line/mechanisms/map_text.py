@@ -19,10 +19,8 @@ if TYPE_CHECKING:
     from trimmer.maps.result import MotionMap
     from trimmer.maps.special_curve import Meeting, SpecialCurve, SpecialCurves
 
-_MOST_FAILURES = 5
-"""Failures that the text lists; the JSON has all."""
-_MOST_ROWS = 200
-"""Values of the only number up to which there is a table over it."""
+_MOST_FAILURES = 5  # Failures that the text lists; the JSON has all
+_MOST_ROWS = 200  # Values of the only number up to which there is a table over it
 
 
 def as_text(

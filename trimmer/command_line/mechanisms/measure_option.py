@@ -12,8 +12,7 @@ from trimmer.command_line.parser import OptionError
 if TYPE_CHECKING:
     from trimmer.motion.subject import Subject
 
-Targets: TypeAlias = dict[str, float | None]
-"""Targets, SI units, or None, by the keys of the measures."""
+Targets: TypeAlias = dict[str, float | None]  # Targets, SI units, or None, by the keys of the measures
 
 
 def add_measure_option(parser: ArgumentParser) -> None:

@@ -34,8 +34,7 @@ if TYPE_CHECKING:
     from trimmer.maps.special_curve import SpecialCurves
     from trimmer.mechanism.mechanism import Mechanism
 
-MOST_LINES = 1000
-"""Values of the second number at which branches are followed, each for seconds or minutes."""
+MOST_LINES = 1000  # Values of the second number at which branches are followed, each for seconds or minutes
 
 
 def _configure(parser: ArgumentParser) -> None:

@@ -24,10 +24,8 @@ if TYPE_CHECKING:
     from trimmer.response.response import Response, SettledMotion
     from trimmer.response.rest import Rest
 
-LARGE_LINES = 6
-"""Lines of a spectrum that are shown, the largest ones."""
-SMALL = 1e-9
-"""Share of the largest line below which one is rounding."""
+LARGE_LINES = 6  # Lines of a spectrum that are shown, the largest ones
+SMALL = 1e-9  # Share of the largest line below which one is rounding
 
 
 def as_text(response: Response) -> str:

@@ -20,8 +20,7 @@ from trimmer.uncertainty.samples import Samples
 from trimmer.uncertainty.statistics import Distribution, Share, distribution_of, share_of
 from trimmer.uncertainty.study import SampleStudy, name_of
 
-MOST_LINES = 8
-"""Numbers that the text lists for each quantity."""
+MOST_LINES = 8  # Numbers that the text lists for each quantity
 
 
 def as_text(study: SampleStudy) -> str:

@@ -17,8 +17,7 @@ from trimmer.mechanism.mechanism import Mechanism
 WIDTH = 7.2
 RESPONSES, SHAPE = 3.4, 1.0
 """Heights, inches: of all responses together, and of the shape of a mode."""
-MOST_MODES = 12
-"""Modes of a state whose shapes are drawn, the lowest ones."""
+MOST_MODES = 12  # Modes of a state whose shapes are drawn, the lowest ones
 
 
 def linear_figure(mechanism: Mechanism, states: Sequence[LinearState]) -> Figure:

@@ -26,8 +26,7 @@ WORDS = {
     **{"rad": "angle", "rad/s": "angular velocity", "rad/s²": "angular acceleration", "N m": "moment"},
 }
 """What all signals are if this is their unit."""
-POINTS = 4000
-"""Points of a curve."""
+POINTS = 4000  # Points of a curve
 
 
 @draw.register(MechanismMotion)

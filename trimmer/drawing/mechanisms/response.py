@@ -16,10 +16,8 @@ from trimmer.response.motion import MechanismMotion
 from trimmer.response.response import Response, SettledMotion
 
 SIZE = (7.6, 7.2)
-CLOSE = 0.05
-"""Share of the phase plane within which a section is shown in the frame of that."""
-SHOWN = 8
-"""Drive periods that are shown of a motion that does not repeat."""
+CLOSE = 0.05  # Share of the phase plane within which a section is shown in the frame of that
+SHOWN = 8  # Drive periods that are shown of a motion that does not repeat
 
 
 @draw.register(Response)

@@ -17,10 +17,8 @@ from trimmer.maps.plateau import ORDERS
 from trimmer.maps.swept import Sweep, SweepPoint
 
 WIDTH, HEIGHT = 7.2, 3.6
-RANGE = 60.0
-"""Decibels below the largest line that a waterfall shows."""
-WAYS = (("run-up", "o"), ("way back", "v"))
-"""What the ways are called, and their marks."""
+RANGE = 60.0  # Decibels below the largest line that a waterfall shows
+WAYS = (("run-up", "o"), ("way back", "v"))  # What the ways are called, and their marks
 
 
 def sweep_figure(sweep: Sweep, output: str | None = None) -> Figure:

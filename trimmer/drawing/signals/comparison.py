@@ -15,8 +15,7 @@ from trimmer.spectra.comparison import MotionComparison
 from trimmer.spectra.spectrum import amplitude_spectrum
 
 SIZE = (7.2, 6.8)
-SAMPLES = 2000
-"""Measured samples that are shown in a period."""
+SAMPLES = 2000  # Measured samples that are shown in a period
 MEASURED, SIMULATED = "0.45", COLOURS[1]
 
 

@@ -16,8 +16,7 @@ from trimmer.fitting.result import Fit
 
 WIDTH, HEIGHT = 6.6, 8.0
 """Inches of the picture of one output."""
-BINS = 200
-"""Places of a period at which samples are averaged."""
+BINS = 200  # Places of a period at which samples are averaged
 MEASURED, SIMULATED = BLACK, COLOURS[1]
 
 

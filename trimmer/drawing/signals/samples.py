@@ -11,8 +11,7 @@ from trimmer.drawing.look import line, plain_label
 from trimmer.drawing.units import name_axis
 from trimmer.signals.signal import Signal
 
-MOST_POINTS = 8000
-"""Samples up to which each is drawn; of more, the lowest and the highest of each block."""
+MOST_POINTS = 8000  # Samples up to which each is drawn; of more, the lowest and the highest of each block
 
 
 @draw.register(Signal)

@@ -28,10 +28,8 @@ from trimmer.spectra.peaks import Peak
 from trimmer.spectra.spectrum import Spectrum
 
 POINTS = 4000
-LABELLED = 6
-"""Peaks with their frequency written beside them, the largest."""
-APART = 0.06
-"""Share of the axes' width by which two such peaks must be apart, lest their texts overlap."""
+LABELLED = 6  # Peaks with their frequency written beside them, the largest
+APART = 0.06  # Share of the axes' width by which two such peaks must be apart, lest their texts overlap
 DYNAMIC_RANGE = 1e-7
 MARKERS = {
     Harmonic: ("o", "harmonic of the drive"),

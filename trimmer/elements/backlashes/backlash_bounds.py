@@ -15,12 +15,9 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.elements.backlashes.backlash_motion import SLOPE_BY_RATIO
 
-ROUNDED_UP = 1.0 + 1e-9
-"""Factor that outweighs the rounding errors of a bound."""
-LARGEST_LAG = 0.29844
-"""Upper bound of (1 - (1 + x) exp(-x)) / x for x > 0; the maximum is at x = 1.7933."""
-PHASE_ERROR = 1e-9
-"""More than the error of a computed θ_c, rad."""
+ROUNDED_UP = 1.0 + 1e-9  # Factor that outweighs the rounding errors of a bound
+LARGEST_LAG = 0.29844  # Upper bound of (1 - (1 + x) exp(-x)) / x for x > 0; the maximum is at x = 1.7933
+PHASE_ERROR = 1e-9  # More than the error of a computed θ_c, rad
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,7 @@ from trimmer.elements.backlashes.backlash_motion import BacklashMotion, complex_
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(20)
 """Gauss-Legendre quadrature for a flight of at most half a period at gamma >= 1."""
 
-_TOGETHER = 4096
-"""Entries whose nodes are evaluated together: few enough for the processor's cache."""
+_TOGETHER = 4096  # Entries whose nodes are evaluated together: few enough for the processor's cache
 
 
 def slope_by_log_gamma(motion: BacklashMotion) -> Complexes:

@@ -19,8 +19,7 @@ from trimmer.elements.small_arguments import argument_less_sine, damped_excess_o
 GAMMA_LIMITS = (1e-150, 1e150)
 """Beyond these gamma, the motion equals friction- or inertia-controlled backlash in double precision."""
 
-SLOPE_BY_RATIO = 2.0 / np.pi
-"""Modulus of dN/d(g/A) of the first harmonic, at any g/A and gamma."""
+SLOPE_BY_RATIO = 2.0 / np.pi  # Modulus of dN/d(g/A) of the first harmonic, at any g/A and gamma
 
 
 @dataclass(frozen=True)

@@ -19,8 +19,7 @@ from trimmer.elements.small_arguments import SMALL
 
 Residual = tuple[Reals, Reals, Reals]
 
-STEPS = 3
-"""Halley steps that take every starting value below to rounding; a test covers all gamma and g/A."""
+STEPS = 3  # Halley steps that take every starting value below to rounding; a test covers all gamma and g/A
 QUARTER = 0.5 * np.pi
 _LARGEST_AMPLITUDE = 1e200
 """Amplitude over gap beyond which powers of the flight underflow; N is 1 there in double precision."""

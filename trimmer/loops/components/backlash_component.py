@@ -20,8 +20,7 @@ from trimmer.loops.components.switched_component import (
 )
 
 FREE, UPPER, LOWER, RESTING = range(4)
-SETTLED = 2.0**-60
-"""Share of its velocity that a free load has when it counts as resting: below rounding."""
+SETTLED = 2.0**-60  # Share of its velocity that a free load has when it counts as resting: below rounding
 
 
 @final
@@ -41,8 +40,7 @@ class BacklashComponent(Component):
     gap: float  # Total clearance, > 0, m
     time_constant: float  # tau = M/D of the load, s; 0 and infinity are the two limits
 
-    name = "backlash"
-    """Name of the component in events: backlash."""
+    name = "backlash"  # Name of the component in events: backlash
     mode_names = ("free", "upper contact", "lower contact", "at rest in the gap")
     """Names of the modes by number: ``FREE``, ``UPPER``, ``LOWER``, ``RESTING``."""
 

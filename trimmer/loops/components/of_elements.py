@@ -34,8 +34,7 @@ from trimmer.loops.components.threshold_component import ThresholdComponent
 class RigidComponent(Component):
     """A pin without backlash: the output is the input."""
 
-    name = "rigid pin"
-    """Name of the component: rigid pin; it has no events."""
+    name = "rigid pin"  # Name of the component: rigid pin; it has no events
 
     def output_law(self, mode: int) -> OutputLaw:
         """Return the law output = input."""
@@ -49,10 +48,8 @@ class ViscousComponent(Component):
 
     coefficient: float
 
-    name = "viscous friction"
-    """Name of the component: viscous friction; it has no events."""
-    output_jumps = True
-    """True: the output jumps with the rate of the input."""
+    name = "viscous friction"  # Name of the component: viscous friction; it has no events
+    output_jumps = True  # True: the output jumps with the rate of the input
 
     def output_law(self, mode: int) -> OutputLaw:
         """Return the law output = coefficient * rate of the input."""

@@ -38,10 +38,8 @@ class RelayComponent(Component):
     static: float = 0.0  # Largest output that holds s at zero, >= level
     of_velocity: bool = False  # Whether it is friction whose input is a velocity
 
-    mode_names = ("plus", "minus", "held")
-    """Names of the modes by number: ``PLUS``, ``MINUS``, ``HELD``."""
-    output_jumps = True
-    """True: the output changes its sign at once."""
+    mode_names = ("plus", "minus", "held")  # Names of the modes by number: ``PLUS``, ``MINUS``, ``HELD``
+    output_jumps = True  # True: the output changes its sign at once
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "static", max(self.static, self.level))

@@ -104,10 +104,8 @@ class Component(ABC):
     The defaults are those of a component without own states that does not switch.
     """
 
-    mode_names: ClassVar[tuple[str, ...]] = ("always",)
-    """Names of the modes, by number."""
-    output_jumps: ClassVar[bool] = False
-    """Whether the output can jump while the input does not."""
+    mode_names: ClassVar[tuple[str, ...]] = ("always",)  # Names of the modes, by number
+    output_jumps: ClassVar[bool] = False  # Whether the output can jump while the input does not
 
     @property
     @abstractmethod

@@ -35,12 +35,10 @@ class ThresholdComponent(Component):
     on: float
     off: float
 
-    name = "relay"
-    """Name of the component in events: relay."""
+    name = "relay"  # Name of the component in events: relay
     mode_names = ("silent", "plus", "minus")
     """Names of the modes by number: ``SILENT``, ``POSITIVE``, ``NEGATIVE``."""
-    output_jumps = True
-    """True: the output changes at once."""
+    output_jumps = True  # True: the output changes at once
 
     @property
     def slides(self) -> bool:

@@ -20,8 +20,7 @@ if TYPE_CHECKING:
     from trimmer.loops.system import LoopSystem
 
 
-CANCELLED = 1e-11
-"""A sum below this share of the moduli of its terms is zero."""
+CANCELLED = 1e-11  # A sum below this share of the moduli of its terms is zero
 
 
 @dataclass(frozen=True, eq=False)

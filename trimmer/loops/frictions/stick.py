@@ -14,8 +14,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.loops.interconnection import NEGLIGIBLE
 
-DEPENDENT = 1e-10
-"""Held functions that differ by less, relative to their sizes, follow from one another."""
+DEPENDENT = 1e-10  # Held functions that differ by less, relative to their sizes, follow from one another
 
 
 def projection(held: Reals, pushes: Reals) -> Reals:

@@ -21,8 +21,7 @@ from trimmer.mechanism.quantities import NumberField
 from trimmer.mechanism.structures.ends import coordinates_in, no_such_end, points_in
 
 SECTIONS = ("controllers", "references")
-OPTIONAL = ("limit", "tracking", "sample", "pade", "ti")
-"""Numbers that may be None."""
+OPTIONAL = ("limit", "tracking", "sample", "pade", "ti")  # Numbers that may be None
 _TEXTS = ("measure", "reference", "speed")
 _FORMS = {
     "numerator": "[2.0, 1.0] for 2 s + 1",

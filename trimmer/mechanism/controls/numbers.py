@@ -29,8 +29,7 @@ _SHARED: Mapping[str, NumberField] = {
     "delay": NumberField("s", "0.5 ms", Range.NOT_NEGATIVE),
     "pade": ORDER,
 }
-ROWS = ("numerator", "denominator", "profile")
-"""Keys of lists of numbers."""
+ROWS = ("numerator", "denominator", "profile")  # Keys of lists of numbers
 
 
 def kind_of(section: str, part: object) -> type | None:

@@ -11,12 +11,10 @@ from trimmer.arrays import Reals
 from trimmer.mechanism.problems import NOTHING, Problem, no_such
 from trimmer.mechanism.structures.structure import LETTERS, MATRICES, ModalModel, Structure
 
-SYMMETRIC = 1e-9
-"""Largest difference of two entries that should be equal, as a share of the largest entry."""
+SYMMETRIC = 1e-9  # Largest difference of two entries that should be equal, as a share of the largest entry
 NEGATIVE = 1e-9
 """Modulus of a negative eigenvalue of a stiffness, as a share of the largest one, that is rounding."""
-SINGULAR = 1e-13
-"""Least eigenvalue of a mass with ones on its diagonal that is not rounding."""
+SINGULAR = 1e-13  # Least eigenvalue of a mass with ones on its diagonal that is not rounding
 Place = tuple[str, ...]
 
 

@@ -13,8 +13,7 @@ from trimmer.mechanism.problems import Problem, no_such
 from trimmer.mechanism.structures.structure import ModalModel, Structure
 from trimmer.messages import listed
 
-Content = Mapping[str, Any]
-"""Fields of a mechanism, or the content of a file."""
+Content = Mapping[str, Any]  # Fields of a mechanism, or the content of a file
 
 
 def structures_of(content: Content) -> Mapping[str, Structure]:

@@ -13,10 +13,8 @@ from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.structures.structure import LETTERS, MATRICES, MOST, ModalModel, Structure
 from trimmer.messages import near_file
 
-KEYS = tuple(each.name for each in fields(Structure) if each.name != "files")
-"""What a table may hold."""
-COLUMNS = ("frequency", "damping_ratio")
-"""Columns of a modal model that are no points."""
+KEYS = tuple(each.name for each in fields(Structure) if each.name != "files")  # What a table may hold
+COLUMNS = ("frequency", "damping_ratio")  # Columns of a modal model that are no points
 
 
 class StructureError(ValueError):

@@ -19,13 +19,10 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.mechanism.elimination import Solutions
 
-MOST = 1000
-"""Coordinates of a structure; the equations of motion are dense."""
+MOST = 1000  # Coordinates of a structure; the equations of motion are dense
 
-LETTERS = {"mass": "M", "stiffness": "K", "damping": "C"}
-"""Usual letters of the matrices."""
-MATRICES = ("mass", "stiffness", "damping")
-"""Fields that are matrices."""
+LETTERS = {"mass": "M", "stiffness": "K", "damping": "C"}  # Usual letters of the matrices
+MATRICES = ("mass", "stiffness", "damping")  # Fields that are matrices
 
 
 @dataclass(frozen=True, eq=False, repr=False)
