@@ -18,7 +18,10 @@ from tests.quick import quick
 from trimmer.proof import check_proof
 
 PROBLEMS = {each.name: each for each in problems()}
-OURS = ("ball-to-rest", "falling-friction", "lever-play", "sampled-axis")
+OURS = (
+    *("ball-to-rest", "conveyor", "falling-friction", "gear-rattle", "hardening-spring", "lever-play"),
+    *("preloaded-stop", "sampled-axis", "sampled-servo", "servo-to-rest", "soft-wall", "structure-stop"),
+)
 SECOND = ("ball-to-rest", "den-hartog", "preloaded-stop", "sampled-axis")
 """Asked in each quick run."""
 GIVEN = """

@@ -11,35 +11,10 @@ from scipy.integrate import solve_ivp
 from tests.mechanisms.random_mechanisms import curved, random_mechanism
 from tests.quick import quick
 from tests.trimmer.contact.test_against_brute_force import compare
+from tests.trimmer.problem_machines import machine_text
 from trimmer import Body, Force, Friction, Link, Mechanism, Output, forced_orbit, respond, simulate
 
-HARDENING = """
-frequency = 0.25
-[bodies]
-m = { mass = 1.0 }
-[links]
-spring = { between = ["ground", "m"], damping = 0.15, curve = [["-2 m", -5], [-1, -1], [1, "1 N"], [2, 5]] }
-[forces]
-f = { on = "m", amplitude = 4.0 }
-[outputs]
-x = { m = 1 }
-a = { acceleration = { m = 1 } }
-spring = { force = "spring" }
-"""
-BELT = """
-[bodies]
-block = { mass = 1.0 }
-[pins]
-belt = { on = "ground", velocity = 0.2 }
-[links]
-spring = { between = ["ground", "block"], stiffness = 1.0 }
-[frictions]
-rub = { between = ["belt", "block"], curve = [[0.0, 1.0], [0.5, 0.6], [2.0, 0.5]] }
-[outputs]
-x = { block = 1 }
-v = { velocity = { block = 1 } }
-rub = { force = "rub" }
-"""
+HARDENING, BELT = (machine_text(name) for name in ("hardening-spring", "falling-friction"))
 
 
 def oscillator(curve, *, start=(0.0, 0.0), damping=0.0, **parts) -> Mechanism:
@@ -65,31 +40,6 @@ def with_curves(seed: int) -> Mechanism:
 @pytest.mark.parametrize("seed", quick(range(80), 3))
 def test_random_mechanisms_with_curves(seed):
     compare(with_curves(seed), 2)
-
-
-def test_the_hardening_spring_of_the_definition():
-    """Digits of the public case hardening-curve of the definition of machines, found there in two ways."""
-    motion = respond(Mechanism.from_toml_text(HARDENING)).motions[0]
-    swings = {"x": 10.050618103494804, "a": 26.551738528330826, "spring": 34.27708341211988}
-    assert motion.measures.peak_to_peak == pytest.approx(swings, rel=1e-12)
-    rms = {"x": 3.5137026201063133, "a": 8.747939904232563, "spring": 11.463445183653434}
-    assert {name: each.value for name, each in motion.rms.items()} == pytest.approx(rms, rel=1e-12)
-    assert abs(motion.orbit.multipliers[0]) == pytest.approx(0.740818221, abs=2e-9)
-    assert motion.events_per_period == 0.0
-
-
-def test_the_belt_of_the_definition():
-    """Digits of the public case belt-falling, found there in two ways."""
-    motion = respond(Mechanism.from_toml_text(BELT)).motions[0]
-    assert motion.orbit.period == pytest.approx(9.437666889696295, rel=1e-12)
-    swings = {"x": 1.139914529794057, "v": 0.7669547865929355, "rub": 0.9460400366818313}
-    assert motion.measures.peak_to_peak == pytest.approx(swings, rel=1e-12)
-    rms = {"x": 0.3709049702760084, "v": 0.2772839219288574, "rub": 0.24634147765895606}
-    assert {name: each.value for name, each in motion.rms.items()} == pytest.approx(rms, rel=1e-12)
-    assert motion.events_per_period == 2.0
-    assert motion.measures.frictions["rub"].stick * motion.orbit.period == pytest.approx(
-        4.730200183409156, rel=1e-11
-    )
 
 
 def test_a_curve_that_is_straight_is_a_spring():

@@ -52,14 +52,6 @@ def test_event_times_of_a_friction_that_sticks() -> None:
         )
 
 
-@pytest.mark.parametrize("zeta", [0.1, 0.3, 0.6])
-def test_a_wall_that_cannot_pull_throws_back_by_the_closed_form(zeta: float) -> None:
-    motion = simulate(cases.thrown(zeta, ContactLaw.TRUNCATED), 9.0)
-    eta = math.sqrt(1 - zeta**2)
-    rebound = math.exp(-zeta / eta * math.atan2(2 * zeta * eta, 2 * zeta**2 - 1))
-    assert motion.velocity("body", 9.0) == pytest.approx(-rebound, rel=1e-12)
-
-
 def bouncing(**changes: object) -> Mechanism:
     """A body of 1 kg that bounces on springs of 100 N/m at +-0.5 m; it is driven by nothing, at 2 Hz."""
     mechanism = Mechanism(

@@ -13,79 +13,9 @@ from scipy.integrate import solve_ivp
 from tests.mechanisms.random_mechanisms import levered, random_mechanism, turned
 from tests.quick import quick
 from tests.trimmer.contact.test_against_brute_force import compare
+from tests.trimmer.problem_machines import machine_text
 from trimmer import Mechanism, forced_orbit, respond, simulate
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Point, Stop, linear_matrices
-
-LEVER = """
-frequency = 40.0
-[bodies]
-arm = { inertia = "2e-5 kg m^2" }
-housing = { mass = 0.2 }
-slide = { mass = 0.05 }
-[points]
-tip = { arm = 0.05, housing = 1 }
-[links]
-torsion = { between = ["ground", "arm"], stiffness = "2 N m/rad", damping = "1e-3 N m s/rad" }
-mount = { between = ["ground", "housing"], stiffness = 20e3, damping = 8.0 }
-return = { between = ["ground", "slide"], stiffness = 2e3, damping = 1.5 }
-[plays]
-joint = { between = ["tip", "slide"], stiffness = 15e3, damping = 2.0, gap = "0.1 mm" }
-[forces]
-moment = { on = "arm", amplitude = 0.06 }
-[outputs]
-x = { slide = 1 }
-tip = { tip = 1 }
-angle = { arm = 1 }
-contact = { force = "joint" }
-"""
-LEVER_DIGITS = {
-    "x": (0.0022237886723595595, 0.0007896460609898731),
-    "tip": (0.0020216855133655, 0.0006932570296734807),
-    "angle": (0.03459521534199539, 0.011951857402184437),
-    "contact": (3.351602257441405, 1.0087997745464414),
-}
-GEARS = """
-frequency = 30.0
-[bodies]
-drive = { inertia = 5e-4 }
-gear = { inertia = 1.2e-3 }
-[points]
-pinion = { drive = 0.5 }
-[links]
-"drive shaft" = { between = ["ground", "drive"], stiffness = "50 N m/rad", damping = "0.02 N m s/rad" }
-"gear shaft" = { between = ["ground", "gear"], stiffness = "5 N m/rad", damping = "0.02 N m s/rad" }
-[plays]
-mesh = { between = ["pinion", "gear"], stiffness = "300 N m/rad", damping = 0.05, gap = "0.4 deg" }
-[forces]
-ripple = { on = "drive", amplitude = 1.0, harmonics = [[2, "0.5 N m", 0.3], [4, 0.2, -1.0]] }
-[outputs]
-drive = { drive = 1 }
-gear = { gear = 1 }
-mesh = { force = "mesh" }
-"""
-GEAR_DIGITS = {
-    "drive": (0.09737885315474595, 0.0336022298335718),
-    "gear": (0.06325864802551545, 0.021874309613463837),
-    "mesh": (4.92833621179104, 1.2107947187257664),
-}
-
-
-@pytest.mark.parametrize(
-    ("text", "digits"), [(LEVER, LEVER_DIGITS), (GEARS, GEAR_DIGITS)], ids=["lever", "gears"]
-)
-def test_digits_of_another_integrator(text: str, digits: dict[str, tuple[float, float]]) -> None:
-    """Peak to peak and rms by DOP853 at 1e-13 of scalar laws, as the definition of machines has them."""
-    response = respond(Mechanism.from_toml_text(text))
-    assert response.period_count == 1 and response.motion.events_per_period == 4
-    found = {n: (response.motion.peak_to_peak[n], response.motion.rms[n].value) for n in digits}
-    for name, expected in digits.items():
-        assert found[name] == pytest.approx(expected, rel=2e-12)
-
-
-def test_the_multipliers_of_the_gears_of_the_definition() -> None:
-    mechanism = Mechanism.from_toml_text(GEARS)
-    assert mechanism.places["forces.ripple.harmonics.1.amplitude"] == "N m"
-    assert abs(forced_orbit(mechanism).multipliers).max() == pytest.approx(0.613454418, abs=1e-9)
 
 
 def test_a_lever_multiplies_stiffness_and_damping_by_the_square_of_its_arm() -> None:
@@ -195,7 +125,9 @@ def test_a_gear_that_is_carried_on_advances_by_its_ratio() -> None:
 
 def test_a_right_hand_side_by_hand_gives_the_same_motion() -> None:
     """The lever with play, free of friction, by scipy from a start: laws written out, relaxing left out."""
-    mechanism = replace(Mechanism.from_toml_text(LEVER), start={"arm": (0.01, 0.0), "slide": (0.0, 0.3)})
+    mechanism = replace(
+        Mechanism.from_toml_text(machine_text("lever-play")), start={"arm": (0.01, 0.0), "slide": (0.0, 0.3)}
+    )
     mechanism = replace(mechanism, plays={"joint": replace(mechanism.plays["joint"], damping=0.0)})
 
     def clearance(y: np.ndarray) -> float:

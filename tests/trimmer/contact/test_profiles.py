@@ -8,45 +8,10 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from tests.trimmer.problem_machines import machine_text
 from trimmer import Mechanism, MechanismError, UnsupportedMotionError, respond, simulate
 from trimmer.command_line.main import main
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin
-from trimmer.motion.measures import Measures
-
-RELAY = """
-[bodies]
-relay = { mass = 0.01 }
-[links]
-spring = { between = ["ground", "relay"], stiffness = 100.0, damping = 0.05 }
-[stops]
-seat = { between = ["relay", "ground"], stiffness = 50e3, damping = 2.0, gap = "-0.5 mm" }
-[forces]
-pulse = { on = "relay", profile = [["10 ms", 0.0], [0.012, 1.5], [0.02, "1.5 N"], [0.022, 0.0]] }
-bias = { on = "relay", constant = -0.4 }
-[outputs]
-x = { relay = 1 }
-seat = { force = "seat" }
-"""
-TIMES = (0.0006917219768089497, 0.03643646168875786, 0.037816103648987145, 0.061607776976378516)
-RATES = (-1.0245978421291602, 1.318882201732258, -1.1451038535841738, 1.088567921862393)
-
-
-def test_the_pulse_of_the_definition() -> None:
-    """Digits of the public case pulse-preloaded-stop of the definition of machines."""
-    motion = simulate(Mechanism.from_toml_text(RELAY), 0.12)
-    assert [each.kind.word for each in motion.events] == [
-        *["contact-broken", "contact-made"] * 4,
-        "contact-broken",
-    ]
-    np.testing.assert_allclose([each.time for each in motion.events[:4]], TIMES, rtol=0, atol=1e-14)
-    np.testing.assert_allclose([each.rate for each in motion.events[:4]], RATES, rtol=1e-12)
-    assert motion.events[-1].time == pytest.approx(0.1089668839734082, rel=1e-12)
-    np.testing.assert_allclose(
-        motion.final["relay"], (0.0037037607702686526, -0.11762950504500515), rtol=1e-10
-    )
-    swings = Measures(motion.course, motion.flow, 1, 1).peak_to_peak
-    assert swings == pytest.approx({"x": 0.010330493484390807, "seat": 27.99668348619332}, rel=1e-12)
-    assert motion.energy.residual < 1e-12
 
 
 def block(profile: object, **parts: object) -> Mechanism:
@@ -113,7 +78,7 @@ def test_beside_a_drive_as_another_integrator_says() -> None:
 def test_who_asks_for_what_repeats_refuses_a_profile(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    mechanism = Mechanism.from_toml_text(f"frequency = 5.0\n{RELAY}")
+    mechanism = Mechanism.from_toml_text(f"frequency = 5.0\n{machine_text('preloaded-stop')}")
     with pytest.raises(UnsupportedMotionError, match=r"forces\.pulse\.profile: the force follows times"):
         respond(mechanism)
     file = tmp_path / "relay.toml"

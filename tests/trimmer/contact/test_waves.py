@@ -100,33 +100,6 @@ def test_random_mechanisms_with_waves(seed: int) -> None:
     compare(with_waves(seed), 2)
 
 
-CONVEYOR = """
-frequency = 25.0
-[bodies]
-part = { mass = 0.1 }
-[pins]
-trough = { on = "ground", amplitude = "1 mm", harmonics = [[2, "0.4 mm", 0.9]] }
-[frictions]
-grip = { between = ["trough", "part"], force = 0.3 }
-[outputs]
-x = { part = 1 }
-slip = { velocity = { part = 1, trough = -1 } }
-"""
-
-
-def test_the_conveyor_of_the_definition() -> None:
-    """Digits of the public case conveyor of the definition of machines, found there in two ways."""
-    motion = respond(Mechanism.from_toml_text(CONVEYOR)).motion
-    assert motion.orbit is not None
-    assert (motion.period_count, motion.events_per_period) == (1, 4.0)
-    assert motion.advance["x"] == pytest.approx(-0.0014330304927927346, rel=1e-11)
-    swings = {"x": 0.00020667594633743238, "slip": 0.47458770711529397}
-    assert motion.peak_to_peak == pytest.approx(swings, rel=1e-11)
-    rms = {"x": 7.078988617914184e-05, "slip": 0.14159590656238297}
-    assert {name: each.value for name, each in motion.rms.items()} == pytest.approx(rms, rel=1e-11)
-    assert abs(motion.orbit.nontrivial_multipliers).max() == pytest.approx(0.352605371, abs=1e-9)
-
-
 CAM = """frequency = 25.0
 [bodies]
 part = { mass = 0.1 }
