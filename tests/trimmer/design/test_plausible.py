@@ -8,9 +8,13 @@ from dataclasses import replace
 import pytest
 
 from tests.trimmer.design.made import contact, friction, motion, output
+from trimmer import respond
 from trimmer.design import Oddity, Question
 from trimmer.design.assumed_range import assumed_range
+from trimmer.design.design_file import design_file_of_text
+from trimmer.design.found_motion import of_settled
 from trimmer.design.plausible import questions
+from trimmer.examples import example_text
 from trimmer.mechanism import Body, Friction, Link, Mechanism, Pin, Play, Stop
 
 ENDS = ("ground", "b")
@@ -132,3 +136,10 @@ def test_what_nothing_tells_of_is_not_assumed() -> None:
     assert assumed_range(still, ("frictions", "blade", "force")) is None
     driven = replace(made, pins={"pin": Pin("a", 1e-3)})
     assert assumed_range(driven, ("frictions", "blade", "viscous")) is None
+
+
+def test_nothing_is_asked_about_the_examples() -> None:
+    for name in ("thesis-play", "den-hartog", "gear-pair", "two-mass-stop", "held", "foil-shaver", "servo"):
+        mechanism = design_file_of_text(example_text(name), name).mechanism
+        moving = of_settled(respond(mechanism).motion) if name == "thesis-play" else None
+        assert questions(mechanism, moving) == ()
