@@ -32,26 +32,3 @@ def block_on_belt(start: tuple[float, float]) -> Mechanism:
         frictions={"rub": Friction(("belt", "block"), 0.5, 1.0)},
         start={"block": start},
     )
-
-
-def thrown(damping_ratio: float, law: ContactLaw) -> Mechanism:
-    """A body of mass 1 thrown with speed 1 from 0.125 before a wall of stiffness 1."""
-    return Mechanism(
-        bodies={"body": Body(1.0)},
-        stops={"wall": Stop(("ground", "body"), 1.0, 2 * damping_ratio, 0.0, law)},
-        start={"body": (-0.125, 1.0)},
-    )
-
-
-def driven_oscillator(stops: dict[str, Stop], frictions: dict[str, Friction], **changes: float) -> Mechanism:
-    """One body on a spring of 4 N/m and a damper of 0.25 N s/m; omega and amplitude as given."""
-    given = {"omega": 3.0, "amplitude": 3.0, "velocity": 0.0} | changes
-    return Mechanism(
-        bodies={"body": Body(1.0)},
-        frequency=given["omega"] / (2 * math.pi),
-        links={"spring": Link(("ground", "body"), 4.0, 0.25)},
-        stops=stops,
-        frictions=frictions,
-        forces={"drive": Force("body", amplitude=given["amplitude"])},
-        start={"body": (0.0, given["velocity"])},
-    )

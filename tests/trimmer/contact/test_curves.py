@@ -12,9 +12,9 @@ from tests.mechanisms.random_mechanisms import curved, random_mechanism
 from tests.quick import quick
 from tests.trimmer.contact.test_against_brute_force import compare
 from tests.trimmer.problem_machines import machine_text
-from trimmer import Body, Force, Friction, Link, Mechanism, Output, forced_orbit, respond, simulate
+from trimmer import Body, Force, Friction, Link, Mechanism, Output, respond, simulate
 
-HARDENING, BELT = (machine_text(name) for name in ("hardening-spring", "falling-friction"))
+BELT = machine_text("falling-friction")
 
 
 def oscillator(curve, *, start=(0.0, 0.0), damping=0.0, **parts) -> Mechanism:
@@ -116,38 +116,6 @@ def test_driven_along_a_corner():
     motion = simulate(held, 20.0)
     assert motion.success
     assert last(motion) == pytest.approx([0.0, 0.0], abs=1e-14)
-
-
-def test_multipliers_over_corners_are_those_of_the_map():
-    """By an integrator that stops at each corner: one that steps over them has an error of its own there."""
-    mechanism = Mechanism.from_toml_text(HARDENING)
-    orbit = forced_orbit(mechanism)
-
-    def mapped(y):
-        t, side = 0.0, int(np.sign(y[0])) if abs(y[0]) > 1 else 0
-        while t < 4.0:
-
-            def rate(t, y, side=side):
-                force = 4.0 * y[0] - 3.0 * side if side else y[0]
-                return [y[1], 4.0 * np.sin(np.pi / 2 * t) - force - 0.15 * y[1]]
-
-            def falls(t, y, edge=(-np.inf, -1.0, 1.0)[side + 1]):
-                return y[0] - edge
-
-            def rises(t, y, edge=(-1.0, 1.0, np.inf)[side + 1]):
-                return y[0] - edge
-
-            falls.terminal = rises.terminal = True
-            falls.direction, rises.direction = -1, 1
-            leg = solve_ivp(rate, (t, 4.0), y, method="DOP853", events=(falls, rises), rtol=1e-12, atol=1e-13)
-            t, y = leg.t[-1], leg.y[:, -1]
-            side += len(leg.t_events[1]) - len(leg.t_events[0])
-        return y
-
-    start = orbit.strobed[0]
-    steps = 1e-4 * np.eye(2)
-    jacobian = np.column_stack([(mapped(start + h) - mapped(start - h)) / 2e-4 for h in steps])
-    assert np.trace(jacobian) == pytest.approx(orbit.multipliers.sum().real, abs=1e-8)
 
 
 def test_numbers_of_curves_have_places():

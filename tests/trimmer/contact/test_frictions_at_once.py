@@ -14,7 +14,7 @@ import pytest
 
 from tests.mechanisms.brute_force import EventKind
 from tests.trimmer.contact.exact import ExactMotion, exact_motion
-from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Pin, Stop
+from trimmer import Body, Force, Friction, Mechanism, Pin, Stop
 
 GROUND_TO_BODY = ("ground", "body")
 
@@ -158,39 +158,3 @@ def test_a_body_is_pulled_off_the_ground_when_the_table_turns_back():
         (turned, "on table", EventKind.SLIDING_REVERSED),
         (turned, "on ground", EventKind.STICK_ENDED),
     ]
-
-
-def test_a_single_reversal_counts_once():
-    """The load at the reversal is far above the friction force, whatever else moves."""
-    mechanism = Mechanism(
-        {"body": Body(1.0)},
-        1.0,
-        links={"spring": Link(GROUND_TO_BODY, 20.0, 0.3)},
-        frictions={"rub": Friction(GROUND_TO_BODY, 0.1)},
-        forces={"drive": Force("body", amplitude=5.0)},
-    )
-    kinds = [event.kind for event in exact_motion(mechanism, 8.0).events[1:]]
-    assert set(kinds) == {EventKind.SLIDING_REVERSED}
-
-
-def test_a_reversal_beside_a_contact_counts_once():
-    """The third body reverses on the first while a stop holds it on the second, at 2.192 periods."""
-    mechanism = Mechanism(
-        {"a": Body(0.1891423961586747), "b": Body(0.12474847089248398), "c": Body(0.20444765856561972)},
-        5.009079153615841,
-        pins={"pin": Pin("ground", 0.09615493159901596, 2.100765844431925)},
-        links={
-            "a held": Link(("ground", "a"), 90.66912857842294, 0.22453224066257088),
-            "b and c": Link(("b", "c"), 29.575486684596136, 0.21014756926916067),
-            "rod": Link(("pin", "b"), 835.4655579774825, 1.34873474374402),
-        },
-        stops={
-            "stop": Stop(
-                ("b", "c"), 1421.4805035378697, 1.553327072138634, 0.02082400517358935, ContactLaw.PULLING
-            )
-        },
-        frictions={"rub": Friction(("c", "a"), 3.9945210720440567)},
-    )
-    events = exact_motion(mechanism, 3 / mechanism.frequency).events
-    times = [event.time for event in events if event.part == "rub"]
-    assert len(times) == len(set(times))

@@ -44,15 +44,6 @@ def test_without_gap_it_is_the_linear_trimmer_with_both_channels_of_the_pin(law)
     np.testing.assert_allclose(found, linear_response(), rtol=1e-11)
 
 
-def test_a_small_gap_departs_from_the_linear_trimmer_in_proportion():
-    departures = [
-        abs(first_harmonics(trimmer(friction=0.0, gap=gap))[1] - linear_response()[1]) / gap
-        for gap in (1e-7, 1e-8)
-    ]
-    assert departures[0] == pytest.approx(departures[1], rel=1e-2)
-    assert departures[0] > 0.01
-
-
 def after(periods: int, **changes) -> np.ndarray:
     """Return displacements and velocities after some periods from rest."""
     duration = periods / FREQUENCY

@@ -9,12 +9,13 @@ from tests.mechanisms.brute_force import BruteForce
 from tests.mechanisms.differences import monodromy, once_around
 from tests.mechanisms.dynamics import System
 from tests.mechanisms.random_mechanisms import random_mechanism
-from trimmer import Body, Force, Friction, Link, Mechanism, forced_orbit, simulate
+from tests.quick import quick
+from trimmer import Body, Force, Friction, Link, Mechanism, forced_orbit
 from trimmer.response import MechanismOrbit
 
 # Seeds of mechanisms that settle, and the drive periods after which they repeat.
-QUICK = {98: 1}
-SLOW = {
+SETTLING = {
+    98: 1,
     **dict.fromkeys((4, 7, 11, 13, 15, 24, 27, 29, 38, 43, 51, 54, 58, 64, 66, 75, 78, 79, 84, 89, 96), 1),
     **dict.fromkeys((104, 107, 122, 212, 121, 124, 136, 146, 158, 161, 170, 186, 196, 231, 245, 252), 1),
     **dict.fromkeys((68, 116), 2),
@@ -22,29 +23,24 @@ SLOW = {
 }
 
 
-def settled(seed: int, periods: int) -> tuple[System, MechanismOrbit]:
-    """Return what a mechanism settles to: one repetition of it."""
-    mechanism = random_mechanism(seed)
-    return System(mechanism), forced_orbit(mechanism, settling=200, periods=periods)
-
-
 def sorted_by_size(values: np.ndarray) -> np.ndarray:
     return values[np.lexsort((values.imag, values.real, -np.round(np.abs(values), 6)))]
 
 
-def hold_against_differences(seed: int, periods: int) -> None:
-    system, orbit = settled(seed, periods)
+def held_against_differences(mechanism: Mechanism, periods: int) -> MechanismOrbit:
+    """Return what a mechanism settles to, one repetition of it."""
+    system, orbit = System(mechanism), forced_orbit(mechanism, settling=200, periods=periods)
     size = system.rows.state_size
     state, usual = orbit.instant.state[:size], system.usual[:size]
     around = once_around(BruteForce(), system, state, periods).final
     assert np.max(np.abs(around - state) / usual) < 1e-9
     exact = sorted_by_size(orbit.multipliers)
-    differences = sorted_by_size(np.linalg.eigvals(monodromy(BruteForce(), system, state, periods)))
-    left = list(differences)
+    left = sorted_by_size(np.linalg.eigvals(monodromy(BruteForce(), system, state, periods))).tolist()
     for value in exact:
         nearest = min(left, key=lambda other, value=value: abs(other - value))
         assert abs(nearest - value) < 2e-6
         left.remove(nearest)
+    return orbit
 
 
 def test_stick_takes_a_dimension_from_a_driven_orbit() -> None:
@@ -56,30 +52,12 @@ def test_stick_takes_a_dimension_from_a_driven_orbit() -> None:
         forces={"push": Force("second", 0.0, 3.0)},
         frequency=0.3,
     )
-    orbit = forced_orbit(made, settling=200)
+    orbit = held_against_differences(made, 1)
     assert orbit.measures.frictions["floor"].stick > 0.1
     sizes = np.sort(abs(orbit.multipliers))
     assert sizes[0] < 1e-14 < 0.1 < sizes[1]
-    begin, period = orbit.instant.state[:4], 1 / 0.3
-    columns = []
-    for number in range(4):
-        ends = []
-        for sign in (1, -1):
-            state = begin.copy()
-            state[number] += sign * 1e-6
-            start = {"first": (state[0], state[2]), "second": (state[1], state[3])}
-            ends.append(simulate(made, period, state=start).states([period]).ravel()[:4])
-        columns.append((ends[0] - ends[1]) / 2e-6)
-    differences = sorted_by_size(np.linalg.eigvals(np.array(columns).T))
-    np.testing.assert_allclose(sorted_by_size(orbit.multipliers), differences, atol=1e-6)
 
 
-@pytest.mark.parametrize(("seed", "periods"), QUICK.items())
+@pytest.mark.parametrize(("seed", "periods"), quick(SETTLING.items(), 0))
 def test_the_multipliers_of_a_periodic_motion(seed, periods):
-    hold_against_differences(seed, periods)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("seed", "periods"), SLOW.items())
-def test_the_multipliers_of_many_periodic_motions(seed, periods):
-    hold_against_differences(seed, periods)
+    held_against_differences(random_mechanism(seed), periods)

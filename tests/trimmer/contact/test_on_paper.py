@@ -7,49 +7,16 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from mpmath import mp, mpf
 
-from tests.mechanisms import cases
-from tests.mechanisms.oscillator_events import Oscillator, with_friction, with_stop
-from tests.quick import quick
 from trimmer import ContactLaw, Mechanism, MechanismMotion, simulate
 from trimmer.hybrid.advance import Ending
-from trimmer.mechanism import Body, Force, Friction, Link, Pin, Play, Stop
+from trimmer.mechanism import Body, Force, Friction, Link, Pin, Play
 
 BETWEEN = ("ground", "body")
 
 
 def times_of(motion: MechanismMotion, word: str) -> list[float]:
     return [event.time for event in motion.events if event.kind.value == word]
-
-
-@pytest.mark.parametrize("law", quick(ContactLaw, 0))
-def test_event_times_of_a_stop(law: ContactLaw) -> None:
-    stop = Stop(BETWEEN, 50.0, 2.0, 0.25, law)
-    motion = simulate(cases.driven_oscillator({"wall": stop}, {}), 7.0)
-    with mp.workdps(30):
-        oscillator = Oscillator(1.0, 0.25, 4.0, 3.0, mpf(3.0))
-        exact = with_stop(oscillator, (50.0, 2.0, 0.25), law, (0, 0), mpf(7))
-    for word, expected in (("contact made", exact.made), ("contact broken", exact.broken)):
-        np.testing.assert_allclose(
-            times_of(motion, word), np.array(expected, dtype=float), rtol=0, atol=1e-13
-        )
-    wanted = [float(exact.displacement), float(exact.velocity)]
-    np.testing.assert_allclose(motion.states(7.0)[:2], wanted, rtol=0, atol=1e-13)
-
-
-def test_event_times_of_a_friction_that_sticks() -> None:
-    rub = Friction(BETWEEN, 1.0, 1.25)
-    mechanism = cases.driven_oscillator({}, {"rub": rub}, omega=0.75, amplitude=2.0, velocity=0.5)
-    motion = simulate(mechanism, 20.0)
-    with mp.workdps(30):
-        oscillator = Oscillator(1.0, 0.25, 4.0, 2.0, mpf(0.75))
-        exact = with_friction(oscillator, 1.0, 1.25, (0, 0.5), mpf(20))
-    for word, expected in (("stick begun", exact.begun), ("stick ended", exact.ended)):
-        assert len(expected) > 3
-        np.testing.assert_allclose(
-            times_of(motion, word), np.array(expected, dtype=float), rtol=0, atol=1e-12
-        )
 
 
 def bouncing(**changes: object) -> Mechanism:

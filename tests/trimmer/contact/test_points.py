@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 from tests.mechanisms.random_mechanisms import levered, random_mechanism, turned
 from tests.quick import quick
 from tests.trimmer.contact.test_against_brute_force import compare
-from tests.trimmer.problem_machines import machine_text
 from trimmer import Mechanism, forced_orbit, respond, simulate
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Point, Stop, linear_matrices
 
@@ -121,52 +117,6 @@ def test_a_gear_that_is_carried_on_advances_by_its_ratio() -> None:
     assert (response.motion.kind.word, response.period_count) == ("periodic", 1)
     turn = 50.0 / 20.0
     assert response.motion.advance == pytest.approx({"shaft": turn, "gear": -2.5 * turn}, rel=1e-12)
-
-
-def test_a_right_hand_side_by_hand_gives_the_same_motion() -> None:
-    """The lever with play, free of friction, by scipy from a start: laws written out, relaxing left out."""
-    mechanism = replace(
-        Mechanism.from_toml_text(machine_text("lever-play")), start={"arm": (0.01, 0.0), "slide": (0.0, 0.3)}
-    )
-    mechanism = replace(mechanism, plays={"joint": replace(mechanism.plays["joint"], damping=0.0)})
-
-    def clearance(y: np.ndarray) -> float:
-        return float(y[2] - (0.05 * y[0] + y[1]))
-
-    def rates(time: float, y: np.ndarray, side: int) -> list[float]:
-        theta, u, x, dtheta, du, dx = y
-        tension = 15e3 * (clearance(y) - side * 5e-5) if side else 0.0
-        moment = 0.06 * math.sin(math.tau * 40 * time) - 2 * theta - 1e-3 * dtheta + 0.05 * tension
-        return [
-            dtheta, du, dx, moment / 2e-5, (tension - 20e3 * u - 8 * du) / 0.2,
-            (-tension - 2e3 * x - 1.5 * dx) / 0.05,
-        ]  # fmt: skip
-
-    def meets(edge: int, direction: int) -> Callable[..., float]:
-        def distance(time: float, y: np.ndarray, side: int) -> float:
-            return clearance(y) - edge * 5e-5
-
-        distance.terminal, distance.direction = True, direction  # type: ignore[attr-defined]
-        return distance
-
-    motion = simulate(mechanism, 0.05)
-    # In pieces from contact to contact: how a step crosses a corner of the force rests on rounding.
-    time, y, side, pieces = 0.0, np.array([0.01, 0, 0, 0, 0, 0.3]), -1, []
-    while time < 0.05:
-        edges = ((1, 1), (-1, -1)) if side == 0 else ((side, -side),)
-        solved = solve_ivp(
-            rates, (time, 0.05), y, "DOP853", args=(side,), events=[meets(*each) for each in edges],
-            rtol=1e-12, atol=1e-15, max_step=1e-4,
-        )  # fmt: skip
-        time, y = solved.t[-1], solved.y[:, -1]
-        pieces.append(solved.y)
-        side = next((each[0] for each, met in zip(edges, solved.t_events, strict=True) if len(met)), 0) * (
-            side == 0
-        )
-    every = np.hstack(pieces)
-    for name, place in (("arm", 0), ("housing", 1), ("slide", 2)):
-        size = abs(every[place]).max()
-        assert float(motion.displacement(name, 0.05)) == pytest.approx(every[place, -1], abs=1e-9 * size)
 
 
 @pytest.mark.parametrize("seed", quick((5, 11, 60, 174), 1))

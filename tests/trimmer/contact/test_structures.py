@@ -7,7 +7,6 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
 from tests.mechanisms.brute_force import BruteForce
@@ -192,33 +191,6 @@ def test_a_damping_ratio_is_that_of_each_mode_but_rigid_ones() -> None:
         expected[:rigid] = 0.0
         assert damping == pytest.approx(np.diag(expected), abs=1e-9)
         assert len(structure.shifts.free) == rigid
-
-
-def test_scipy_integrates_a_structure_with_a_stop_to_the_same_motion() -> None:
-    random = np.random.default_rng(5)
-    root, spring, loss = (random.normal(size=(4, 4)) for _ in range(3))
-    mass, stiffness, damping = np.eye(4) + root @ root.T, 200 * spring @ spring.T, loss @ loss.T
-    names = tuple(f"u{number}" for number in range(4))
-    mechanism = Mechanism(
-        structures={"s": Structure(mass, stiffness, damping, coordinates=names)},
-        frequency=2.0,
-        stops={"wall": Stop(("s.u1", "s.u2"), 1e4, 5.0, 0.05, "truncated")},
-        forces={"shaker": Force("s.u0", amplitude=30.0)},
-        outputs={"y": Output({"s.u3": 1.0})},
-    )
-    motion = simulate(mechanism, 1.0)
-    across = np.array([0.0, -1.0, 1.0, 0.0])
-
-    def rates(time: float, state: np.ndarray) -> np.ndarray:
-        stretch, rate = across @ state[:4] - 0.05, across @ state[4:]
-        contact = max(1e4 * stretch + 5.0 * rate, 0.0) if stretch > 0 else 0.0
-        force = -stiffness @ state[:4] - damping @ state[4:] - across * contact
-        force[0] += 30.0 * np.sin(4 * np.pi * time)
-        return np.concatenate([state[4:], np.linalg.solve(mass, force)])
-
-    found = solve_ivp(rates, (0.0, 1.0), np.zeros(8), "DOP853", rtol=1e-11, atol=1e-13, max_step=1e-3)
-    assert motion.events
-    assert motion.states(np.array([1.0]))[:, 0] == pytest.approx(found.y[:, -1], abs=3e-7)
 
 
 def test_a_free_structure_rolls_on_and_its_advance_is_that_of_the_belt_that_drives_it() -> None:
