@@ -25,19 +25,6 @@ def test_the_time_constant_of_a_predicted_limit_cycle_is_found_again(time_consta
         assert nearest.stable == cycle.stable
 
 
-@pytest.mark.parametrize("frequency", [0.0, -1.0, math.nan, math.inf])
-def test_a_frequency_that_cannot_be_used(frequency: float) -> None:
-    with pytest.raises(ValueError, match="frequency must be positive"):
-        identify_time_constant(THESIS_LOOP, GAP, frequency)
-
-
-def test_a_gap_and_a_system_that_cannot_be_used() -> None:
-    with pytest.raises(ValueError, match="gap must be positive"):
-        identify_time_constant(THESIS_LOOP, 0.0, 700.0)
-    with pytest.raises(UnsupportedSystemError, match="more zeros than poles"):
-        identify_time_constant(control.tf([1, 0], [1]), GAP, 700.0)
-
-
 LOOPS = {
     "thesis": THESIS_LOOP,
     "thesis, both channels": pin_model(TrimmerParameters.thesis()),
@@ -136,24 +123,28 @@ def test_a_loop_that_never_oscillates_has_no_nearest_load() -> None:
     assert told.message == "no M/D gives a limit cycle at any frequency"
 
 
-@pytest.mark.parametrize("uncertainty", [-1.0, math.nan, 700.0, math.inf])
-def test_an_uncertainty_out_of_range_is_told(uncertainty: float) -> None:
-    with pytest.raises(ValueError, match="frequency_uncertainty must be zero or positive and less than"):
-        identify_time_constant(THESIS_LOOP, GAP, 700.0, frequency_uncertainty=uncertainty)
-
-
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
+        *(
+            ((THESIS_LOOP, GAP, each), "frequency must be positive")
+            for each in (0.0, -1.0, math.nan, math.inf)
+        ),
+        ((THESIS_LOOP, 0.0, 700.0), "gap must be positive"),
+        ((control.tf([1, 0], [1]), GAP, 700.0), "more zeros than poles"),
         ((FrictionBacklash, GAP, 700.0), "FrictionBacklash"),
         ((THESIS_LOOP, "4e-5", 700.0), "gap must be a real number .*, not '4e-5'"),
         ((THESIS_LOOP, GAP, "700"), "frequency must be a real number .*, not '700'"),
         ((THESIS_LOOP, GAP, None), "frequency must be a real number .*, not None"),
+        *(
+            ((THESIS_LOOP, GAP, 700.0, each), "_uncertainty must be zero or positive and less than")
+            for each in (-1.0, math.nan, 700.0, math.inf)
+        ),
     ],
 )
-def test_arguments_of_another_type_are_named(arguments, message: str) -> None:
-    with pytest.raises((WrongTypeError, UnsupportedSystemError), match=message):
-        identify_time_constant(*arguments)
+def test_what_cannot_be_identified_is_named(arguments, message: str) -> None:
+    with pytest.raises((ValueError, WrongTypeError, UnsupportedSystemError), match=message):
+        identify_time_constant(*arguments[:3], frequency_uncertainty=sum(arguments[3:]))
 
 
 def test_an_identification_holds_what_was_given() -> None:

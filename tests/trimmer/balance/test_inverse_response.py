@@ -67,7 +67,7 @@ def test_bounds_shrink_with_the_interval() -> None:
 
 
 @pytest.mark.parametrize("G", SYSTEMS, ids=str)
-@pytest.mark.parametrize("feedback", [LinearGain(0.3), LinearGain(0.2 - 0.7j), LinearGain(damping=1.7)])
+@pytest.mark.parametrize("feedback", [LinearGain(0.3), LinearGain(damping=1.7), LinearGain(0.2 - 0.7j, -0.3)])
 def test_a_linear_gain_is_added_to_the_last_digits(G, feedback: LinearGain) -> None:
     response = inverse_response(G)
     omega = np.geomspace(0.03, 30, 41) * response.reference

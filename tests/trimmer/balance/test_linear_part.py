@@ -12,8 +12,6 @@ from trimmer.balance.linear_part import LinearGain, parted, with_feedback
 from trimmer.elements import Element, FrictionBacklash, Relay, ViscousFriction
 from trimmer.linear import UnsupportedSystemError
 
-OMEGA = np.geomspace(0.01, 100.0, 40)
-
 
 def response(
     gain: float, poles: list[complex], zeros: list[complex], reference: float = 1.0
@@ -63,20 +61,6 @@ def test_poles_of_the_loop_are_right_to_the_last_digits(feedback: LinearGain, re
     assert len(found.poles) == len(exact)
     assert np.array_equal(found.zeros, given.zeros)
     assert found.reference == reference
-
-
-@pytest.mark.parametrize(
-    ("poles", "zeros"),
-    [([-1.0, -3.0, 0.0], []), ([-1.0, 2.0 + 1j, 2.0 - 1j], [-4.0]), ([0.0, 0.0, -0.2], [-1.0, 3.0])],
-)
-@pytest.mark.parametrize("feedback", [LinearGain(2.0), LinearGain(damping=0.7), LinearGain(1.0 - 2.0j, -0.3)])
-def test_the_sum_is_the_sum_at_every_frequency(
-    poles: list[complex], zeros: list[complex], feedback: LinearGain
-) -> None:
-    given = response(0.5, poles, zeros, reference=3.0)
-    found = with_feedback(given, feedback)
-    x = np.log(OMEGA)
-    assert found.value(x) == pytest.approx(given.value(x) + feedback.value(OMEGA), rel=1e-11)
 
 
 def test_poles_on_the_axis_stay_there_and_are_in_order() -> None:

@@ -61,40 +61,7 @@ class Plane:
         return np.asarray(regions.u_upper <= self.edge)
 
     def test(self, boxes: Cells, regions: Cells | None = None) -> CellTest:
-        return examine(*halves(self), boxes, boxes if regions is None else regions)
-
-
-@dataclass(frozen=True)
-class Curve:
-    """N of a plane alone: what takes the one half for the other fails."""
-
-    plane: Plane
-
-    def expansion(self, u: Reals, x: Reals) -> Expansion:
-        return self.plane.expansion(u, x)
-
-    def variation(self, regions: Cells) -> tuple[Reals, Reals]:
-        return self.plane.variation(regions)
-
-    def inside(self, regions: Cells) -> Flags:
-        return self.plane.inside(regions)
-
-
-@dataclass(frozen=True)
-class Inverse:
-    """1/G of a plane alone."""
-
-    plane: Plane
-
-    def enclose(self, lower: Reals, upper: Reals) -> Enclosure:
-        return self.plane.enclose(lower, upper)
-
-    def value_and_slope(self, x: Reals) -> tuple[Complexes, Complexes]:
-        return self.plane.value_and_slope(x)
-
-
-def halves(plane: Plane) -> tuple[Inverse, Curve]:
-    return Inverse(plane), Curve(plane)
+        return examine(self, self, boxes, boxes if regions is None else regions)
 
 
 def cells(*limits: float) -> Cells:
@@ -182,14 +149,6 @@ def test_emptiness_is_claimed_up_to_what_the_disks_can_make_up_for(
             assert plane.test(box).empty[0] == empty
 
 
-def test_the_middle_of_the_region_counts_and_the_far_side_of_the_box() -> None:
-    """The region of u from -1 to 1 has its middle at 0; the box from -0.1 to 0.6 reaches 0.6 to both
-    sides."""
-    box, region = cells(-0.1, 0.6, -0.2, 0.3), cells(-1.0, 1.0, -1.0, 1.0)
-    for u, x, empty in ((-0.59, 0.0, False), (-0.61, 0.0, True), (0.0, -0.29, False), (0.0, -0.31, True)):
-        assert Plane(1.0, 1.0j, u, x).test(box, region).empty[0] == empty
-
-
 def test_nothing_is_claimed_of_a_region_that_leaves_the_domain() -> None:
     boxes, regions = cells(0.0, 1.0, 0.0, 1.0), cells(-0.5, 1.5, -0.5, 1.5)
     for edge, known in ((1.6, True), (1.4, False)):
@@ -207,9 +166,9 @@ def test_newtons_method_converges_inside_a_box_and_says_where_it_did_not() -> No
         np.array([1.8, 4.0, 1.9]),
         np.array([2.2, 4.1, 2.3]),
     )
-    u, x, solved = solve_in(*halves(plane), boxes, np.array([1.02, 3.05, 1.4]), np.array([2.02, 4.05, 2.3]))
+    u, x, solved = solve_in(plane, plane, boxes, np.array([1.02, 3.05, 1.4]), np.array([2.02, 4.05, 2.3]))
     assert solved.tolist() == [True, False, False]
     assert (u[0], x[0]) == (pytest.approx(1.0, abs=1e-12), pytest.approx(2.0, abs=1e-12))
-    (alone,) = (solve_in(*halves(plane), boxes[np.array([2])], np.array([1.4]), np.array([2.3])),)
+    (alone,) = (solve_in(plane, plane, boxes[np.array([2])], np.array([1.4]), np.array([2.3])),)
     assert alone[2].tolist() == [True]
     assert alone[0] == pytest.approx([1.0], abs=1e-12)
