@@ -1,8 +1,6 @@
 """The mechanisms of the definition's reference cases, built in Python."""
 
-import math
-
-from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Pin, Play, Stop
+from trimmer import Body, ContactLaw, Friction, Link, Mechanism, Pin, Play
 
 
 def trimmer(
