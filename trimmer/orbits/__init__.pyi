@@ -3,6 +3,7 @@
 from .multi_harmonic_balance import BalancedHarmonics as BalancedHarmonics
 from .orbit_measures import ImpactEvent as ImpactEvent
 from .periodic_orbit import PeriodicOrbit as PeriodicOrbit
+from .search import BalanceSearch as BalanceSearch
 from .search import OrbitSearch as OrbitSearch
 from .search import OrbitSearched as OrbitSearched
 from .search import OrbitSearchInterrupted as OrbitSearchInterrupted

@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
+from itertools import groupby
 
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.balance.many_harmonics.pieces import mode_on, switching_phases
-from trimmer.balance.many_harmonics.steady_response import Flight, flight_of, steady_response, switch_of
+from trimmer.balance.many_harmonics.feedback import BalancedMotion
+from trimmer.balance.many_harmonics.pieces import mode_on
+from trimmer.balance.many_harmonics.steady_response import Flight, flight_of, steady_response
 from trimmer.balance.many_harmonics.trigonometric import OddPolynomial
+from trimmer.elements.element import Element
 from trimmer.errors import OrbitNotFoundError
 from trimmer.loops.components.backlash_component import FREE, LOWER, UPPER, BacklashComponent
 from trimmer.loops.components.corner_component import CornerComponent
+from trimmer.loops.components.of_elements import components_of
 from trimmer.loops.components.relay_component import MINUS, PLUS, RelayComponent
 from trimmer.loops.components.switched_component import Component
 from trimmer.loops.components.threshold_component import ThresholdComponent
+from trimmer.loops.feedback import Feedback
 from trimmer.loops.loops import ClosedLoop
 from trimmer.orbits.guess import Start
 from trimmer.orbits.multi_harmonic_balance import BalancedHarmonics, solutions
@@ -27,6 +32,12 @@ HARMONICS = 32
 """Number of odd harmonics of the element's output that move the linear system."""
 DIFFERENCE = 1e-5
 """Of phases, rad, for the velocity of a load."""
+Place = Callable[[float], tuple[int, Reals]]
+"""Mode of a component at a phase, rad, and its own states."""
+PHASES = 128
+"""Phases of half a period at which it is seen which components switch in between."""
+TRIED = 2
+"""Of the times without a switch the longest, in whose middles a search begins."""
 NO_STATES = np.array([])
 """Those of a component without memory, or with one that its mode is."""
 
@@ -35,8 +46,8 @@ def balanced_starts(loop: ClosedLoop, amplitude: float, omega: float) -> Iterato
     """Yield modes and extended states on the motion of many balanced harmonics, and its omega, rad/s.
 
     They serve where contact is so brief that the first harmonic alone misses it. Each is in the middle of a
-    flight, a contact, or a half period of a relay, where no event is near; the longest comes first. There is
-    none if no more harmonics than the first can be balanced.
+    time without a switch; the longest comes first. There is none if no more harmonics than the first can be
+    balanced.
 
     Args:
         loop: The closed loop.
@@ -44,35 +55,64 @@ def balanced_starts(loop: ClosedLoop, amplitude: float, omega: float) -> Iterato
         omega: Angular frequency, rad/s.
     """
     balanced = _highest(loop, amplitude, omega)
-    if balanced is None:
+    if balanced is not None:
+        yield from _starts(loop, [loop.element], [balanced.harmonics], balanced.omega)
+
+
+def starts_of_motion(loop: Feedback, motion: BalancedMotion) -> Iterator[tuple[Start, float]]:
+    """Yield the same on a motion of several elements whose harmonics balance."""
+    yield from _starts(loop, list(loop.elements.values()), list(motion.inputs.values()), motion.omega)
+
+
+def _starts(
+    loop: ClosedLoop | Feedback, elements: Sequence[Element], inputs: Sequence[Complexes], omega: float
+) -> Iterator[tuple[Start, float]]:
+    """Yield starts where the harmonics of the input of each element are known."""
+    of_velocity = isinstance(loop, Feedback)
+    given = [OddPolynomial(np.pad(each, (0, HARMONICS - len(each)))) for each in inputs]
+    pairs = list(zip(elements, given, strict=True))
+    outputs = [steady_response(each, its, omega, of_velocity) for each, its in pairs]
+    pushes = [each for each in outputs if each is not None]
+    if len(pushes) < len(outputs):
         return
-    coefficients = np.zeros(HARMONICS, dtype=complex)
-    coefficients[: len(balanced.harmonics)] = balanced.harmonics
-    given = OddPolynomial(coefficients)
-    output = steady_response(loop.element, given, balanced.omega)
-    if output is not None:
-        for phase in _quiet_phases(loop, given, balanced.omega):
-            yield _start(loop, given, output, balanced.omega, phase), balanced.omega
-
-
-def _start(loop: ClosedLoop, given: OddPolynomial, output: Complexes, omega: float, phase: float) -> Start:
-    model, layout = loop.model, loop.modes.system.layout
-    state, sizes = np.zeros(layout.size), np.ones(layout.size)
-    pencils = 1j * omega * given.numbers[:, None, None] * np.eye(model.nstates) - model.A
-    responses = np.linalg.solve(pencils, model.B[None])[:, :, 0] * output[:, None]
-    state[: model.nstates] = (np.exp(1j * phase * given.numbers) @ responses).imag
-    sizes[: model.nstates] = abs(responses).sum(axis=0)
-    state[-1] = 1.0
-    chosen, largest = [], given.largest()
+    fed = [(part, its) for each, its in pairs for part, _ in components_of(each, of_velocity)]
+    parts, layout = loop.modes.system.interconnection.components, loop.modes.system.layout
+    fed = [(part, its) for part, (_, its) in zip(parts, fed, strict=True)]
+    places = [_place_of(part, its, omega) for part, its in fed]
+    harmonics = _plant_harmonics(loop, pushes, omega)
+    sizes = np.ones(layout.size)
+    sizes[: layout.order] = abs(harmonics).sum(axis=0)
     # Of a load position, velocity, and if it slows down the share of it that remains.
-    for first, component in zip(
-        layout.first_states, loop.modes.system.interconnection.components, strict=True
-    ):
-        own = slice(first, first + component.state_count)
-        mode, state[own] = _on(component, given, omega, phase)
-        sizes[own] = np.array([largest, omega * largest, 1.0])[: component.state_count]
-        chosen.append(mode)
-    return Start(loop.modes.number(tuple(chosen)), state, sizes)
+    for first, (part, its) in zip(layout.first_states, fed, strict=True):
+        own = np.array([its.largest(), omega * its.largest(), 1.0])
+        sizes[first : first + part.state_count] = own[: part.state_count]
+    for phase in _quiet_phases(places):
+        state = np.zeros(layout.size)
+        state[: layout.order] = (np.exp(1j * phase * given[0].numbers) @ harmonics).imag
+        state[-1] = 1.0
+        there = [place(phase) for place in places]
+        for first, (_, own) in zip(layout.first_states, there, strict=True):
+            state[first : first + len(own)] = own
+        yield Start(loop.modes.number(tuple(mode for mode, _ in there)), state, sizes), omega
+
+
+def _plant_harmonics(loop: ClosedLoop | Feedback, outputs: Sequence[Complexes], omega: float) -> Complexes:
+    """Return the complex amplitudes of the states of the linear system, (harmonics, n)."""
+    A, columns = loop.model.A, np.array([column for column, _ in loop.element_sides])
+    odd = 2 * np.arange(HARMONICS)[:, None, None] + 1
+    pushed = np.array(outputs).T @ columns
+    return np.asarray(np.linalg.solve(1j * omega * odd * np.eye(len(A)) - A, pushed[:, :, None])[:, :, 0])
+
+
+def _quiet_phases(places: Sequence[Place]) -> list[float]:
+    """Return the middles of the longest times without a switch, rad, the longest first."""
+    phases = math.pi * np.arange(2 * PHASES) / PHASES
+    modes = [tuple(place(phase)[0] for place in places) for phase in phases.tolist()]
+    runs = [list(run) for _, run in groupby(range(len(phases)), key=lambda k: modes[k])]
+    # A run that began before phase 0 is whole half a period later.
+    whole = [run for run in runs if 0 < run[0] <= PHASES] or runs
+    longest = sorted(whole, key=len, reverse=True)[:TRIED]
+    return [float(phases[run[0]] + phases[run[-1]]) / 2.0 for run in longest]
 
 
 def _highest(loop: ClosedLoop, amplitude: float, omega: float) -> BalancedHarmonics | None:
@@ -86,39 +126,23 @@ def _highest(loop: ClosedLoop, amplitude: float, omega: float) -> BalancedHarmon
     return best if best is not None and best.order > 1 else None
 
 
-def _quiet_phases(loop: ClosedLoop, given: OddPolynomial, omega: float) -> list[float]:
-    """Return the middles of flight and contact of the first backlash, or of an output of a relay."""
-    components = loop.modes.system.interconnection.components
-    for backlash in (each for each in components if isinstance(each, BacklashComponent)):
-        flight = flight_of(backlash, given, omega)
-        if flight is None:
-            return []
-        end = flight.leave + math.pi
-        middles = [0.5 * (flight.leave + flight.meet), 0.5 * (flight.meet + end)]
-        return middles if flight.meet - flight.leave > end - flight.meet else middles[::-1]
-    for relay in (each for each in components if isinstance(each, RelayComponent)):
-        switch = switch_of(relay, given)
-        return [] if switch is None else [switch + 0.5 * math.pi]
-    for switched in (each for each in components if isinstance(each, ThresholdComponent)):
-        switches = switching_phases(switched, given)
-        return [] if switches is None else [0.5 * sum(switches)]
-    return []
-
-
-def _on(component: Component, given: OddPolynomial, omega: float, phase: float) -> tuple[int, Reals]:
-    """Return the mode of a component at a phase, rad, and its own states."""
+def _place_of(component: Component, given: OddPolynomial, omega: float) -> Place:
     match component:
         case BacklashComponent():
             flight = flight_of(component, given, omega)
             assert flight is not None, "its output was found before"
-            mode, states = _of_load(flight, omega, phase, component.time_constant)
-            return mode, states[: component.state_count]
+
+            def carried(phase: float) -> tuple[int, Reals]:
+                mode, states = _of_load(flight, omega, phase, component.time_constant)
+                return mode, states[: component.state_count]
+
+            return carried
         case RelayComponent():
-            positive = float(given(phase, int(component.of_rate))) > 0
-            return (PLUS if positive else MINUS), NO_STATES
+            rate = int(component.of_rate)
+            return lambda phase: (PLUS if float(given(phase, rate)) > 0 else MINUS, NO_STATES)
         case CornerComponent() | ThresholdComponent():
-            return mode_on(component, given, phase), NO_STATES
-    return 0, NO_STATES
+            return lambda phase: (mode_on(component, given, phase), NO_STATES)
+    return lambda phase: (0, NO_STATES)
 
 
 def _of_load(flight: Flight, omega: float, phase: float, time_constant: float) -> tuple[int, Reals]:

@@ -12,6 +12,8 @@ from trimmer.one_orbit import SAME, ClosedCurve, are_one, inaccuracy
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.response.shooting import CLOSED, LONGEST, Patience, Return, Shot, solve
 
+COLLAPSED = 1e-6
+"""Swing of all states, relative to their sizes, below which Newton's method has found an equilibrium."""
 POINTS = 64
 """Points of a period at which two orbits are compared."""
 LEAST = 1e-9
@@ -76,6 +78,13 @@ def closed(
     shot = solve(problem, instant, duration, patience, sizes[: problem.flow.size])
     long = shot is not None and shot.duration > LONGEST * duration
     return None if shot is None or shot.miss > CLOSED or long else shot
+
+
+def collapsed(shot: Shot, sizes: Reals) -> bool:
+    """Tell whether Newton's method has ended where nothing moves, or nothing happens."""
+    course, count = shot.course, len(shot.course.begin.state)
+    swing = np.ptp(np.vstack([course.log.state[:, :count], course.begin.state]), axis=0)
+    return len(course.log.start) < 2 or float((swing / sizes[:count]).max()) < COLLAPSED
 
 
 def _prime_factors(number: int) -> list[int]:

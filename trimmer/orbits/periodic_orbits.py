@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from itertools import chain
 
 import numpy as np
@@ -12,20 +12,22 @@ import numpy as np
 from trimmer.arguments import positive_number, require_instance, require_instances, shown
 from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
 from trimmer.balance.loop_first import takes_any_loop
+from trimmer.balance.many_harmonics.feedback import feedback_balance
 from trimmer.balance.solve import CALLER, limit_cycles
 from trimmer.errors import OrbitNotFoundWarning, WrongTypeError
 from trimmer.loops.feedback import Feedback
 from trimmer.loops.flow import LoopFlow, instant_in
 from trimmer.loops.loops import ClosedLoop
-from trimmer.orbits.balanced_start import balanced_starts
+from trimmer.orbits.balanced_start import balanced_starts, starts_of_motion
 from trimmer.orbits.describe import orbit_of_loop
-from trimmer.orbits.distinct import closed, same, shortest
+from trimmer.orbits.distinct import closed, collapsed, same, shortest
 from trimmer.orbits.families import by_families
 from trimmer.orbits.guess import Start, starting_point
 from trimmer.orbits.periodic_orbit import PeriodicOrbit, in_other_loop
 from trimmer.orbits.realization import restated
 from trimmer.orbits.relay_orbits import relay_orbits
 from trimmer.orbits.search import (
+    BalanceSearch,
     OrbitSearch,
     OrbitSearched,
     OrbitSearchInterrupted,
@@ -54,8 +56,9 @@ def periodic_orbits(
     Not every orbit is near a guess. Those of a relay that return with their signs changed after one switch
     are all found, on an interval of periods (``trimmer.orbits.half_period``). Other stable ones are found by
     long simulations from many initial states, if these are asked for, or if harmonic balance predicts nothing
-    or a guess leads to no orbit. The answer tells what was searched. Those of a ``Feedback`` of several
-    elements or with frictions are found in this way alone.
+    or a guess leads to no orbit. The answer tells what was searched. Of a ``Feedback`` of several
+    elements or with frictions the guesses are the motions that ``harmonic_balance`` finds, which may miss
+    some, and simulations go beside them unless they are never to.
 
     Args:
         loop: The closed loop, or a ``Feedback`` without drives; or ``system, element`` in its place. The
@@ -100,11 +103,7 @@ def periodic_orbits(
         orbit = _near(known.loop, amplitude, omega, guess if isinstance(guess, LimitCycle) else None)
         if orbit is None:
             failed += 1
-            warnings.warn(
-                f"no periodic orbit was found from the amplitude {amplitude:.6g} and omega {omega:.6g} rad/s",
-                OrbitNotFoundWarning,
-                stacklevel=CALLER,
-            )
+            _warn(f"the amplitude {amplitude:.6g} and omega {omega:.6g} rad/s")
         else:
             _add(orbits, [orbit])
     settings = OrbitSearch() if search is None and predicted else search
@@ -115,15 +114,24 @@ def periodic_orbits(
 
 
 def _of_feedback(loop: Feedback, guesses: object, search: OrbitSearch) -> PeriodicOrbits:
-    """Find the orbits of a loop of several elements, which nothing predicts, by simulations."""
+    """Find the orbits of a loop of several elements near balanced motions, and by simulations."""
     if guesses is not None:
         raise WrongTypeError(
             "guesses of amplitude and omega are for loops of one element; forced_orbit takes a state as guess"
         )
-    if search.simulations is Simulations.NEVER:
-        return _found([], OrbitSearched(0, False, 0, None, None))
-    orbits, simulated = settled_orbits(loop, search, [])
-    return _found(orbits, OrbitSearched(0, False, 0, None, simulated))
+    balance = feedback_balance(loop)
+    near = [_first(loop, starts_of_motion(loop, each)) for each in balance.motions]
+    for each, found in zip(balance.motions, near, strict=True):
+        if found is None:
+            _warn(f"the balanced motion of {each.omega:.6g} rad/s")
+    orbits: list[PeriodicOrbit] = []
+    _add(orbits, [orbit_of_loop(*shortest(*found)) for found in near if found is not None])
+    simulated = None
+    if search.simulations is not Simulations.NEVER:
+        settled, simulated = settled_orbits(loop, search, orbits)
+        orbits += settled
+    tried = BalanceSearch(balance.order, balance.tried, balance.left)
+    return _found(orbits, OrbitSearched(len(near), True, near.count(None), None, simulated, tried))
 
 
 def _found(orbits: list[PeriodicOrbit], searched: OrbitSearched) -> PeriodicOrbits:
@@ -205,14 +213,21 @@ def _near(
     if np.isnan(loop.element.describing_function(amplitude, omega)):
         return None
     first = starting_point(loop, amplitude, omega), omega
-    for start, trial in chain([first], balanced_starts(loop, amplitude, omega)):
-        found = _shot(loop, start, trial)
-        if found is not None:
-            return orbit_of_loop(*shortest(*found), prediction)
-    return None
+    found = _first(loop, chain([first], balanced_starts(loop, amplitude, omega)))
+    return None if found is None else orbit_of_loop(*shortest(*found), prediction)
 
 
-def _shot(loop: ClosedLoop, start: Start, omega: float) -> tuple[Return, Shot] | None:
+def _first(loop: ClosedLoop | Feedback, starts: Iterable[tuple[Start, float]]) -> tuple[Return, Shot] | None:
+    """Return what the first of the starts that leads to an orbit does."""
+    shots = (_shot(loop, start, omega) for start, omega in starts)
+    return next((found for found in shots if found is not None), None)
+
+
+def _warn(start: str) -> None:
+    warnings.warn(f"no periodic orbit was found from {start}", OrbitNotFoundWarning, stacklevel=CALLER + 2)
+
+
+def _shot(loop: ClosedLoop | Feedback, start: Start, omega: float) -> tuple[Return, Shot] | None:
     problem = Return(LoopFlow(loop), 0, mirrored=True, alike=True)
     shot = closed(problem, instant_in(problem.flow, start.mode, start.state), math.pi / omega, start.sizes)
-    return None if shot is None else (problem, shot)
+    return None if shot is None or collapsed(shot, start.sizes) else (problem, shot)

@@ -144,6 +144,27 @@ class SimulationSearch:
 
 
 @dataclass(frozen=True)
+class BalanceSearch:
+    """Harmonic balance of several elements, which has no certificate.
+
+    Attributes:
+        order: Highest harmonic.
+        starts: Starts on a grid that were tried.
+        left: Further starts that were not.
+    """
+
+    order: int
+    starts: int
+    left: int
+
+    @property
+    def sentence(self) -> str:
+        """What was searched, in words."""
+        others = f", {self.left} more left out" if self.left else ""
+        return f"order {self.order} from {counted(self.starts, 'start')} on a grid{others}; no certificate"
+
+
+@dataclass(frozen=True)
 class OrbitSearched:
     """What was searched.
 
@@ -153,6 +174,7 @@ class OrbitSearched:
         failed: How many led to no orbit.
         relay: The half-period equation, if it was solved.
         simulations: The simulations, if there were any.
+        balance: The balance that predicts, of several elements.
     """
 
     guesses: int
@@ -160,6 +182,7 @@ class OrbitSearched:
     failed: int
     relay: RelaySearch | None
     simulations: SimulationSearch | None
+    balance: BalanceSearch | None = None
 
     @property
     def doubts(self) -> tuple[str, ...]:
@@ -167,6 +190,7 @@ class OrbitSearched:
         relay, simulations = self.relay, self.simulations
         doubts = (
             (self.failed, f"{self._starts(self.failed)} led to no orbit"),
+            (self.balance and self.balance.left, "some starts of harmonic balance were left out"),
             (relay and len(relay.undecided), "part of the interval of half periods is undecided"),
             (simulations and simulations.left, "some simulations did not settle in time"),
             (simulations and simulations.interrupted, "the search was interrupted"),
@@ -191,10 +215,12 @@ class OrbitSearched:
 
     @property
     def _near_guesses(self) -> str:
+        how = "" if self.balance is None else f" ({self.balance.sentence})"
         if not self.guesses:
-            return "harmonic balance, which predicts no limit cycle" if self.predicted else "near no guess"
+            none = f"harmonic balance{how}, which predicts no limit cycle"
+            return none if self.predicted else "near no guess"
         led = "all led to an orbit" if not self.failed else f"{self.failed} led to none"
-        return f"near {self._starts(self.guesses)} ({led})"
+        return f"near {self._starts(self.guesses)}{how} ({led})"
 
 
 _NOT_SIMULATED = "other orbits, which simulations look for if they are asked for (--simulate)"

@@ -20,7 +20,7 @@ from trimmer.loops.integration import followed
 from trimmer.loops.loops import ClosedLoop
 from trimmer.motion.part import mirrored as mirrored_statuses
 from trimmer.orbits.describe import orbit_of_loop
-from trimmer.orbits.distinct import closed, same, shortest
+from trimmer.orbits.distinct import closed, collapsed, same, shortest
 from trimmer.orbits.initial_states import initial_states, quiet_time
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.search import OrbitSearch, SimulationSearch
@@ -45,8 +45,6 @@ PROGRESS = 0.2
 """Share of the best difference so far that is worth another attempt."""
 SHRUNK = 1e-7
 """Swing of all states, relative to the largest one of the motion, below which it has come to rest."""
-COLLAPSED = 1e-6
-"""Swing of all states, relative to their sizes, below which Newton's method has found an equilibrium."""
 NEAR = 0.1
 """Change of state and span by Newton's method that leaves them near where they were."""
 
@@ -149,7 +147,7 @@ def _follow(
 def _settles(loop: ClosedLoop | Feedback, turn: Turn, orbits: list[PeriodicOrbit]) -> bool:
     """Add the orbit near a turn, if there is one, and tell whether the motion stays there."""
     found = _polished(loop, turn)
-    if found is None or _collapsed(found[1], turn):
+    if found is None or collapsed(found[1], turn.sizes):
         return False
     problem, shot = found
     orbit = orbit_of_loop(*shortest(problem, shot))
@@ -159,13 +157,6 @@ def _settles(loop: ClosedLoop | Feedback, turn: Turn, orbits: list[PeriodicOrbit
     change = float((abs(state - turn.state[: len(state)]) / turn.sizes[: len(state)]).max())
     near = max(change, abs(shot.duration / turn.span - 1.0)) < NEAR
     return turn.miss < ARRIVED or (orbit.stable and near)
-
-
-def _collapsed(shot: Shot, turn: Turn) -> bool:
-    """Tell whether Newton's method has ended where nothing moves, or nothing happens."""
-    course, count = shot.course, len(shot.course.begin.state)
-    swing = np.ptp(np.vstack([course.log.state[:, :count], course.begin.state]), axis=0)
-    return len(course.log.start) < 2 or float((swing / turn.sizes[:count]).max()) < COLLAPSED
 
 
 def _polished(loop: ClosedLoop | Feedback, turn: Turn) -> tuple[Return, Shot] | None:

@@ -7,9 +7,10 @@ from itertools import pairwise
 import control
 import numpy as np
 import pytest
+import scipy.integrate
 
 from tests.quick import quick
-from trimmer import Feedback, FrictionBacklash, Relay, Saturation, WrongTypeError, periodic_orbits
+from trimmer import DeadZone, Feedback, FrictionBacklash, Relay, Saturation, WrongTypeError, periodic_orbits
 from trimmer.balance import FeedbackBalance, harmonic_balance, limit_cycles
 from trimmer.balance.many_harmonics.feedback import feedback_balance
 from trimmer.elements import CoulombFriction, Element
@@ -72,6 +73,31 @@ def test_of_one_element_and_one_harmonic_it_is_the_prediction() -> None:
     (motion,), (cycle,) = feedback_balance(loop, order=1).motions, harmonic_balance(loop).limit_cycles
     assert motion.omega == pytest.approx(cycle.omega, rel=1e-9)
     assert motion.amplitudes["limit"] == pytest.approx(cycle.amplitude, rel=1e-8)
+
+
+def test_an_unstable_orbit_that_no_simulation_settles_on_is_found_with_its_multipliers() -> None:
+    """Held against SciPy: it returns after the period, and small changes of the start grow as said."""
+    A, B = np.array([[0.0, 1, 0], [-1, 0.35, 0], [0.6, 0, -1]]), np.array([[0, 0], [-0.8, -0.2], [0, 0.2]])
+    C = np.array([[0, 1.0, 0], [0.5, 0.5, 0]])
+    names = ["limit", "dead"]
+    elements = {"limit": Saturation(1.0), "dead": DeadZone(0.7)}
+    orbits = periodic_orbits(Feedback(control.ss(A, B, C, 0, inputs=names, outputs=names), elements))
+    (orbit,) = orbits
+    assert not orbit.stable
+    assert "near 1 prediction of harmonic balance (order 15 from " in orbits.search.sentence
+
+    def rates(_: float, state: np.ndarray) -> np.ndarray:
+        limit, dead = C @ state
+        return A @ state + B @ [np.clip(limit, -1.0, 1.0), dead - np.clip(dead, -0.7, 0.7)]
+
+    def end(begin: np.ndarray) -> np.ndarray:
+        span, settings = (0.0, orbit.period), {"rtol": 1e-11, "atol": 1e-12, "max_step": 0.02}
+        return np.asarray(scipy.integrate.solve_ivp(rates, span, begin, "DOP853", **settings).y[:, -1])
+
+    begin, steps = orbit.motion.state(0.0), 1e-3 * np.eye(3)
+    assert end(begin) == pytest.approx(begin, abs=1e-7)
+    own = np.linalg.eigvals(np.array([end(begin + step) - end(begin - step) for step in steps]) / 2e-3)
+    assert sorted(own) == pytest.approx(sorted(orbit.multipliers.real), abs=1e-5)
 
 
 def test_what_is_not_known_is_told() -> None:

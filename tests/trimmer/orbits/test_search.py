@@ -20,7 +20,14 @@ from trimmer import (
 )
 from trimmer.choices import ChoiceError
 from trimmer.errors import OrbitNotFoundWarning, WrongTypeError
-from trimmer.orbits import OrbitSearched, OrbitSearchInterrupted, RelaySearch, Simulations, SimulationSearch
+from trimmer.orbits import (
+    BalanceSearch,
+    OrbitSearched,
+    OrbitSearchInterrupted,
+    RelaySearch,
+    Simulations,
+    SimulationSearch,
+)
 
 QUIET = control.ss(control.tf([1], [1, 1, 1]))
 BOUNCING = control.ss(*scipy.signal.tf2ss([20, 8.5], [1, 4.7, 0])), InertiaBacklash(0.64)
@@ -137,6 +144,10 @@ SENTENCES = [
     (OrbitSearched(0, False, 0, None, None), ["searched: near no guess. Not searched: " + LEFT_OUT]),
     (OrbitSearched(1, True, 0, None, None), ["near 1 prediction of harmonic balance (all led to an orbit)"]),
     (OrbitSearched(3, True, 1, None, None), ["near 3 predictions of harmonic balance (1 led to none)"]),
+    (
+        OrbitSearched(0, True, 0, None, None, BalanceSearch(15, 40, 2)),
+        ["harmonic balance (order 15 from 40 starts on a grid, 2 more left out; no certificate), which pred"],
+    ),
     (
         OrbitSearched(2, False, 0, RELAY, SIMULATED),
         [
