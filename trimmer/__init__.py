@@ -10,8 +10,6 @@ What is asked for less often stands in rooms, such as ``trimmer.elements``, ``tr
 ``trimmer.thesis``. A name that is looked for at the top is found there too, with a warning that says where.
 """
 
-from __future__ import annotations
-
 from importlib import import_module
 from typing import Any
 from warnings import warn

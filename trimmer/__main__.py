@@ -5,8 +5,6 @@ Python puts the current folder before all others then, and the files there are t
 package itself comes from there.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 

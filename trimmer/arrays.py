@@ -3,8 +3,6 @@
 ``Flags`` are truth values, ``Places`` indices of entries of another array.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import fields
 from typing import Any, Self

@@ -1,7 +1,5 @@
 """Arguments with a few possible values, each of which has a word."""
 
-from __future__ import annotations
-
 import reprlib
 from enum import Enum
 from numbers import Integral

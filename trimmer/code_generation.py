@@ -5,8 +5,6 @@ functions and a LaTeX document. The module of the thesis's trimmer is committed,
 shows up as a readable difference.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from derivations.any_mechanism.derivation import derive_mechanism

@@ -1,7 +1,5 @@
 """Errors that the user of this package can correct, and warnings."""
 
-from __future__ import annotations
-
 __all__ = [
     "DivergingMotionError",
     "FitError",

@@ -1,7 +1,5 @@
 """The mechanisms that come with the package."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from trimmer.errors import TrimmerError

@@ -1,7 +1,5 @@
 """Reading files and standard input; writing files whole or not at all, and only over what may be replaced."""
 
-from __future__ import annotations
-
 import errno
 import os
 import re

@@ -1,7 +1,5 @@
 """Names that stood in a room once, and the names under which the same stands now."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from importlib import import_module
 from typing import Any

@@ -1,7 +1,5 @@
 """JSON that somebody else may have written or damaged: parsed without surprises, and read as typed data."""
 
-from __future__ import annotations
-
 import json
 import math
 import types

@@ -1,7 +1,5 @@
 """What messages about input have in common: values that stay short, and near matches."""
 
-from __future__ import annotations
-
 import difflib
 import unicodedata
 from collections.abc import Iterable, Sequence

@@ -5,8 +5,6 @@ designs. Each says what the curve of its orbit is, how large its states become, 
 determined them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """What a parameter of the linear trimmer measures, and which numbers can be one."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from enum import Enum

@@ -4,8 +4,6 @@ The motion itself is asked: it is followed from a little to each side. What diff
 curvature.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property

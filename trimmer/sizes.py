@@ -1,7 +1,5 @@
 """Sizes of numbers that can be computed with: their squares and products neither overflow nor vanish."""
 
-from __future__ import annotations
-
 import math
 
 SMALLEST, LARGEST = 1e-50, 1e50

@@ -1,7 +1,5 @@
 """The time at which things are made, if the environment sets it (https://reproducible-builds.org)."""
 
-from __future__ import annotations
-
 import os
 from datetime import UTC, datetime
 

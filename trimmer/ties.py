@@ -1,7 +1,5 @@
 """An order that does not turn on rounding: numbers that agree are of one level, and others decide."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

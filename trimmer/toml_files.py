@@ -1,7 +1,5 @@
 """TOML files that users write: their text, and which kind of file one is."""
 
-from __future__ import annotations
-
 import re
 import tomllib
 from collections.abc import Mapping

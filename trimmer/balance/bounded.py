@@ -1,7 +1,5 @@
 """Limit cycles where N is bounded, as for backlash: search in the whole plane of amplitude and frequency."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

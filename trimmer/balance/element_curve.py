@@ -3,8 +3,6 @@
 A table holds such bounds on a coarse grid: rows of u, and blocks of x if N depends on it.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Self

@@ -5,8 +5,6 @@ Roots of a polynomial may be ill-determined while their product along the imagin
 roots are near. For a transfer function what its coefficients' last digits may change there is added.
 """
 
-from __future__ import annotations
-
 import control
 import numpy as np
 

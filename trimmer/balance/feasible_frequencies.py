@@ -6,8 +6,6 @@ infinite) and by the stretch of the negative imaginary axis on which the pin onl
 band of frequencies ends where -1/G crosses one of the three.
 """
 
-from __future__ import annotations
-
 import math
 import warnings
 from collections.abc import Callable, Iterator

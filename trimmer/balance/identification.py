@@ -1,7 +1,5 @@
 """The load's time constant M/D behind a backlash, from the frequency of a measured limit cycle."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace

@@ -4,8 +4,6 @@ Harmonic balance reads N + 1/G = 0. The inverse response is used because it stay
 the imaginary axis. All bounds follow from the distances between an interval of the axis and the roots of G.
 """
 
-from __future__ import annotations
-
 import math
 import sys
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Harmonics of an element that come back to its input through G: the filtering hypothesis as numbers."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

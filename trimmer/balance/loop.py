@@ -1,7 +1,5 @@
 """A loop as harmonic balance treats it: 1/G with the linear part of the element, and the rest of it."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, field, replace
 from functools import lru_cache

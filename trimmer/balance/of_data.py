@@ -1,7 +1,5 @@
 """Harmonic balance of a plant that is known at some frequencies alone, and how far off it may be."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

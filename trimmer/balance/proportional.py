@@ -4,8 +4,6 @@ With N = c u the amplitude drops out: limit cycles are where f = 1/(c G) is real
 such places are found by bounds of the phase of f on intervals of the frequency axis.
 """
 
-from __future__ import annotations
-
 import math
 import sys
 

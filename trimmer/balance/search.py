@@ -5,8 +5,6 @@ of the derivatives prove that no two points give the same sum holds at most one 
 finds it. All others are cut into smaller ones.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -12,8 +12,6 @@ runs away follows from the real poles of 1 + N_mean G(s), with the element's gai
 where the harmonics are not small; near tangency it is undecided.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -10,8 +10,6 @@ element's own (``Element.variation``).
 Newton's method finds the solution of a box that holds at most one.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """``trimmer check``: verify a proof again, without what computed it."""
 
-from __future__ import annotations
-
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command, Example

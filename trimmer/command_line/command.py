@@ -1,7 +1,5 @@
 """The record of a subcommand: name, help, options, action, and examples of its use."""
 
-from __future__ import annotations
-
 import shlex
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable

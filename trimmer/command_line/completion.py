@@ -1,7 +1,5 @@
 """``trimmer completion``: a script with which a shell completes the words of ``trimmer``."""
 
-from __future__ import annotations
-
 from argparse import Action, ArgumentParser, Namespace, _SubParsersAction
 from itertools import permutations
 from pathlib import Path

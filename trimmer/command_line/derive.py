@@ -1,7 +1,5 @@
 """``trimmer derive``: derive the thesis's trimmer or any mechanism; write numeric module and LaTeX."""
 
-from __future__ import annotations
-
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Files that commands read and write: their names, what may be replaced, and what goes to standard output."""
 
-from __future__ import annotations
-
 import os
 import sys
 from argparse import ArgumentParser, ArgumentTypeError, Namespace

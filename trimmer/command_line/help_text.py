@@ -1,7 +1,5 @@
 """How the help of a command looks: its options, then examples as they are typed, then the exit codes."""
 
-from __future__ import annotations
-
 import textwrap
 from argparse import HelpFormatter
 

@@ -1,7 +1,5 @@
 """JSON as commands print it, with infinite, missing and complex numbers in a form that it has."""
 
-from __future__ import annotations
-
 import json
 import math
 from collections.abc import Mapping

@@ -1,7 +1,5 @@
 """``trimmer linear``: modes and frequency responses of a mechanism, or of the thesis's linear trimmer."""
 
-from __future__ import annotations
-
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command, Example

@@ -1,7 +1,5 @@
 """The ``trimmer`` command put together: its own subcommands, then those of installed packages."""
 
-from __future__ import annotations
-
 import codecs
 import errno
 import io

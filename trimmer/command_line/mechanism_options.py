@@ -1,7 +1,5 @@
 """The file of a mechanism, numbers set in it, and the seed of random starts, as options of a command."""
 
-from __future__ import annotations
-
 from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 from pathlib import Path

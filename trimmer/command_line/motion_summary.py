@@ -1,7 +1,5 @@
 """What is told of any simulated motion: its events counted, and amplitudes at its end."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Mapping
 

@@ -1,7 +1,5 @@
 """Types of options whose values are numbers."""
 
-from __future__ import annotations
-
 import math
 from argparse import ArgumentParser, ArgumentTypeError
 from collections.abc import Callable

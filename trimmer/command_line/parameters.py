@@ -1,7 +1,5 @@
 """``trimmer parameters``: the commented parameter file to start from."""
 
-from __future__ import annotations
-
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command, Example

@@ -1,7 +1,5 @@
 """A parser that tells an error in one sentence, and keeps in mind which options were given."""
 
-from __future__ import annotations
-
 import io
 import math
 import os

@@ -1,7 +1,5 @@
 """A line for who waits: what takes long, and that the first call of all compiles."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager
 from threading import Timer

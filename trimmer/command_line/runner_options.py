@@ -1,7 +1,5 @@
 """Options that say who does the work of many cells: processes of this computer, or a cluster."""
 
-from __future__ import annotations
-
 import logging
 from argparse import ArgumentParser, Namespace
 

@@ -1,7 +1,5 @@
 """Tables as plain text, each column as wide as its widest cell."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 

@@ -1,7 +1,5 @@
 """How large a number may be that a file calls unknown, as far as the rest of the mechanism says."""
 
-from __future__ import annotations
-
 import math
 
 from trimmer.mechanism.coordinates import inertia_of, weights_of_ends

@@ -1,7 +1,5 @@
 """Two designs side by side: what changed in the file, and what that changed."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from math import isfinite
 

@@ -1,7 +1,5 @@
 """All that a report on a design shows."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

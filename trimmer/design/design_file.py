@@ -1,7 +1,5 @@
 """The file of a design: a mechanism, its targets, the body that is held, and unknown numbers."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field

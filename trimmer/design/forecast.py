@@ -4,8 +4,6 @@ The logarithm of a measure is taken as a sum of one function of each number, str
 only says where to try; what is recommended was computed.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

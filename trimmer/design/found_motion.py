@@ -1,7 +1,5 @@
 """A motion of the mechanism as it was found, with all that a designer asks of it."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 

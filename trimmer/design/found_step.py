@@ -1,7 +1,5 @@
 """How controllers follow their steps, as a designer asks: exactly for the file, cheaply for trials."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial

@@ -1,7 +1,5 @@
 """Vibration of what a hand holds, weighted by W_h of ISO 5349-1, as exposure to vibration along one axis."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 

@@ -1,7 +1,5 @@
 """Results of a design that are kept between runs, each under a key of all that it depends on."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Maps whose rows are kept as soon as they are whole, so that an interrupted one goes on where it was."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass

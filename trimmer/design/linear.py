@@ -3,8 +3,6 @@
 Dry friction is left out; its viscous share is a damper. A closed contact is a link at its middle.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Outputs, contact forces, contact and stick of a motion over time, as pictures show them."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 

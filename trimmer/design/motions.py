@@ -1,7 +1,5 @@
 """The motions that a mechanism can take: from several starts, and from the motions of its neighbours."""
 
-from __future__ import annotations
-
 import math
 import time
 from collections.abc import Iterator

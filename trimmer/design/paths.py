@@ -1,7 +1,5 @@
 """The branch through the working point over each of its numbers, and how far its motion reaches."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 

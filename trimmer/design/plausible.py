@@ -1,7 +1,5 @@
 """Numbers that a small machine is unlikely to have; they are asked about, not refused."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum, auto

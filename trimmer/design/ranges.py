@@ -1,7 +1,5 @@
 """How the verdict depends on unknown numbers, and which of them to measure first."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Changes of numbers with which a mechanism would meet its targets, as far as they were tried."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -6,8 +6,6 @@ machines as they scatter, the forecast is corrected by what came out, and so on.
 computed under all these conditions, and met the targets under each.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Iterator, Sequence
@@ -37,8 +35,7 @@ FIRST = (
     *("static", "viscous", "unbalance"),
 )
 """Which numbers come first if nothing is known of their influence."""
-SINGLES, PAIRS = 4, 8
-"""Changes of one number and of two that are computed, those with the best forecast."""
+SINGLES, PAIRS = 4, 8  # Changes of one number and of two that are computed, those with the best forecast
 ROUNDS = 5  # How often a forecast is corrected
 DIGITS = 3  # Digits to which a number is rounded
 ALIKE = 0.02  # Margin that is given away for a change of one number in place of two

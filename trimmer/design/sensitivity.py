@@ -1,7 +1,5 @@
 """By how much the measures of the motion change with each number: central differences of exact orbits."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Motions solved for on a grid of numbers, with what a page shows of each: a table to look things up in."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from dataclasses import dataclass, replace
@@ -31,8 +29,7 @@ from trimmer.runners.runner import Runner
 
 MOST_NUMBERS = 3  # Numbers that can be moved at most
 COARSE = 4  # Steps of each number on a first grid, to which those of the last one are added if there is time
-POINTS, MOST_POINTS = 128, 192
-"""Instants at which a curve is kept: of one drive period, and at most."""
+POINTS, MOST_POINTS = 128, 192  # Instants at which a curve is kept: of one drive period, and at most
 MOST_LINES, SMALLEST = 16, 1e-3
 """Lines that are kept of a curve, the largest, down to this share of the first."""
 SHOWN = 2  # Drive periods of a motion that does not repeat of which curves are kept

@@ -1,7 +1,5 @@
 """The lines of a spectrum with what each is: drive, harmonic, fraction of the drive; modes beside them."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum

@@ -1,7 +1,5 @@
 """Over which numbers each target is drawn: the two that move it most."""
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Iterator
 

@@ -1,7 +1,5 @@
 """Whether targets hold beside the file's own point: at neighbouring speeds, and as numbers scatter."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import Enum

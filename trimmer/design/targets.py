@@ -1,7 +1,5 @@
 """What a designer wants of a mechanism: the table ``[targets]`` of its file."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """What a mechanism or a loop with some other numbers does, cheaply enough for hundreds of trials."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

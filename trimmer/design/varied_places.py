@@ -1,7 +1,5 @@
 """Which numbers of a mechanism its maps, branches and margins are over, and how far."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum

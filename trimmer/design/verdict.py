@@ -1,7 +1,5 @@
 """The verdict on the targets, and what it rests on."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import Enum
 

@@ -1,7 +1,5 @@
 """What axes get after their data: names, grid, strips, and a legend where it leaves the data free."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from typing import Any
 

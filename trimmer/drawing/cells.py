@@ -1,7 +1,5 @@
 """Cells of a map as areas, one path for each colour."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any

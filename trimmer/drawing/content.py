@@ -1,7 +1,5 @@
 """The content of the file of a picture, the same for the same picture."""
 
-from __future__ import annotations
-
 import io
 import re
 import textwrap

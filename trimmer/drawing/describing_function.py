@@ -1,7 +1,5 @@
 """The pictures of an element: its describing function over the amplitude, and the locus of -1/N."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.axes import Axes
 

@@ -4,8 +4,6 @@ A module of pictures registers its functions when it is imported, which is when 
 first drawn: a picture of a signal needs no mechanism.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import singledispatch
 from importlib import import_module

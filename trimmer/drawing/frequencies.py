@@ -1,15 +1,12 @@
 """Frequencies at which a response is drawn: close together where it changes fast."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.linear.zero_pole_gain import ZeroPoleGain
 
 REACH = 100.0  # How far beyond the outermost roots
-EVEN, NEAR = 2000, 400
-"""Points in equal ratios, and around each root."""
+EVEN, NEAR = 2000, 400  # Points in equal ratios, and around each root
 
 
 def telling_frequencies(

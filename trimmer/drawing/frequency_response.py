@@ -1,7 +1,5 @@
 """Magnitude and phase of a frequency response over frequency, with peaks and dips."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The picture of an identified load: M/D over the frequency of the limit cycle, with what was measured."""
 
-from __future__ import annotations
-
 import itertools
 import math
 

@@ -1,7 +1,5 @@
 """The picture of harmonic balance: G(j omega) and -1/N in the complex plane, limit cycles marked."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure

@@ -1,7 +1,5 @@
 """Colours and dashes of all pictures; no two lines differ by their colour alone."""
 
-from __future__ import annotations
-
 from typing import Any, Final
 
 Look = dict[str, Any]  # Keyword arguments for ``Axes.plot``

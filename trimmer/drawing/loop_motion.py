@@ -1,7 +1,5 @@
 """The motion of a loop over time, with contact and stick marked."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.axes import Axes
 

@@ -1,7 +1,5 @@
 """Marks in the complex plane, and arrows."""
 
-from __future__ import annotations
-
 from typing import Any, Final
 
 from matplotlib.axes import Axes

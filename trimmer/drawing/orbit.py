@@ -1,7 +1,5 @@
 """Periodic orbits of a loop in the phase plane of the element's input."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The plane of G and -1/N: loci of linear systems and of elements, with omega or amplitude along them."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any, final
 

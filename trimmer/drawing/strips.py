@@ -1,7 +1,5 @@
 """Bars under a motion over time that mark when a part is in contact or sticks."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any

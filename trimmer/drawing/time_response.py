@@ -1,7 +1,5 @@
 """The response of a linear system over time."""
 
-from __future__ import annotations
-
 from matplotlib.axes import Axes
 
 from trimmer.drawing.axes import add_legend

@@ -1,7 +1,5 @@
 """Axes in a unit in which their numbers are easy to read, such as µm or ms."""
 
-from __future__ import annotations
-
 from matplotlib.axis import Axis
 from matplotlib.ticker import FuncFormatter
 

@@ -1,7 +1,5 @@
 """The nonlinearities of python-control as elements."""
 
-from __future__ import annotations
-
 import copy
 import math
 import sys

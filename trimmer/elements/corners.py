@@ -8,8 +8,6 @@ N_n = 4 (n sin nα cos α - cos nα sin α) / (π n (n² - 1)).
 Where α is large the same is written with β, so that no digits are lost just above the threshold.
 """
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Coulomb friction with a displacement as its input."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar, final
 

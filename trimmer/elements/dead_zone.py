@@ -1,7 +1,5 @@
 """Dead zone: no output up to a threshold, proportional beyond it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import final
 

@@ -1,7 +1,5 @@
 """The common base of elements that behave as another one does."""
 
-from __future__ import annotations
-
 from abc import abstractmethod
 
 from trimmer.arrays import Complexes, Reals

@@ -1,7 +1,5 @@
 """An element frozen at one frequency."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import final
 

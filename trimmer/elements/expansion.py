@@ -4,8 +4,6 @@ The variables are u = amplitude_scale / amplitude and ln omega. As both are numb
 unit of N, output over input, and have the shape that the arguments broadcast to.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from trimmer.arrays import Complexes, Reals

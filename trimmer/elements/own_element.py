@@ -1,7 +1,5 @@
 """A user's own element: by its output over one period, or by an odd function of the input."""
 
-from __future__ import annotations
-
 import math
 from abc import abstractmethod
 from collections.abc import Callable, Sequence

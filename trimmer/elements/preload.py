@@ -1,7 +1,5 @@
 """Preload: a spring that is prestressed both ways, so that its force jumps where the input is zero."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import final
 

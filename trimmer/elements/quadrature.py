@@ -6,8 +6,6 @@ which it may be missed: a kink or a jump shows in that wherever it lies. Panels 
 large. The first ones get narrower towards the peak of the input, where an element may act briefly.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Relay: ideal, with hysteresis, with a dead zone, or with both."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from typing import final

@@ -1,7 +1,5 @@
 """Saturation: proportional up to a threshold, constant beyond it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import final
 

@@ -1,7 +1,5 @@
 """An element with a factor on its output."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import cast, final

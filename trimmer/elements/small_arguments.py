@@ -3,8 +3,6 @@
 Arguments are arrays of any shape, which the result has too; none has a unit.
 """
 
-from __future__ import annotations
-
 from math import factorial
 
 import numpy as np

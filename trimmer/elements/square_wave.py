@@ -1,7 +1,5 @@
 """The common base of relay, preload and Coulomb friction: an output that switches between two values."""
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from dataclasses import dataclass
 from typing import ClassVar

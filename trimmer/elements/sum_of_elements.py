@@ -1,7 +1,5 @@
 """A sum of elements that share one input."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce

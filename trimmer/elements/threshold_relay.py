@@ -13,8 +13,6 @@ u >= 1/2 means |N| >= c m, as cos((α + ρ)/2) falls with u. For u < 1/2, N lags
 |N| > 2 c u cos(π/6); so it lags by less than 0.61 |N|/c.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Elements whose describing function is evaluated, and of which no bounds are known."""
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from collections.abc import Sequence
 

@@ -1,7 +1,5 @@
 """Viscous friction with a displacement as its input: a linear element, for sums with nonlinear ones."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import final
 

@@ -4,8 +4,6 @@ Where the lag of -1/G is one that N can have, the amplitude is known, and what i
 omega, whose changes of sign are looked for.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Where along omega many responses are looked at: close together where a pole turns the phase."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals

@@ -1,7 +1,5 @@
 """The describing function of friction-controlled play, told by its phase lag: one value for one lag."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache
 

@@ -1,7 +1,5 @@
 """Points along -1/G of many trimmers, and how far N is from it at the same phase lag."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Limit cycles of the thesis's loop with friction-controlled play, of many trimmers at once."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, replace

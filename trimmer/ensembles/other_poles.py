@@ -1,7 +1,5 @@
 """Whether the loops of many trimmers have unstable poles beside that of the limit cycle."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Complexes, Flags

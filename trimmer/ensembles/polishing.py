@@ -1,7 +1,5 @@
 """Newton's method on N + 1/G = 0 from enclosures of many trimmers, and what the derivatives tell."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -3,8 +3,6 @@
 A polynomial is a row of coefficients, the highest power first; the last axis is that of the coefficients.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """-1/G of many trimmers: the derived polynomials, with a row for each."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

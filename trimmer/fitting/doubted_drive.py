@@ -3,8 +3,6 @@
 It is told, not refused: beside a strong line of something else, whoever measured knows better than a search.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np

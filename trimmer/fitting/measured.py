@@ -4,8 +4,6 @@ All lines together are the waveform averaged over the periods of the motion (Par
 is one to the waveform with the noise of each frequency as its weight; nothing is counted twice.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """The whitened distance between measured and simulated lines, with the origin of time free."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -1,7 +1,5 @@
 """The exact orbit of a mechanism or a loop for values of its unknown numbers, as lines of its outputs."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

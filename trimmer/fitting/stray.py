@@ -1,7 +1,5 @@
 """Lines of a measurement that are not at multiples of the drive: fractions of it, and others."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

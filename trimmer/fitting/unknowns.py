@@ -1,7 +1,5 @@
 """The numbers that are fitted, in coordinates without units."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

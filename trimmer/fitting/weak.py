@@ -1,7 +1,5 @@
 """What a measurement cannot tell apart: changes of the numbers that hardly change the fit."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Multi-harmonic balance of a driven mechanism, with forces integrated exactly between their events."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Plays and stops in harmonic balance: when they are in contact, and the harmonics of their force."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """All zeros of a smooth signal on an interval, from a bound of its second derivative."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Reals

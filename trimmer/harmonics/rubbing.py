@@ -3,8 +3,6 @@
 A trigonometric polynomial cannot stay at zero, so that there is no stick, only a velocity that is small.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.harmonics.crossings import crossings

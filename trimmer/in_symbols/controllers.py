@@ -1,7 +1,5 @@
 """The laws of controllers in formulas, with their numbers in SI units."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 
 import sympy

@@ -1,7 +1,5 @@
 """A mechanism of numbers in symbols, with what they stand for and what code calls them."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass

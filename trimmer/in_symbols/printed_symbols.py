@@ -3,8 +3,6 @@
 A symbol is text that is LaTeX as it stands, or a name of SymPy such as ``k_2``. No two are the same.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Iterator, Mapping

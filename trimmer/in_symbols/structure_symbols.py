@@ -1,7 +1,5 @@
 """What of structures has a symbol in printed equations: coordinates, entries of matrices, modes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
@@ -17,8 +15,7 @@ from trimmer.mechanism.structures.structure import Structure
 COORDINATE = "coordinate"  # Before the name of a coordinate
 MATRICES = ("mass", "damping", "stiffness", "mobility")
 """Matrices whose entries have symbols; the last is the inverse of the first."""
-FREQUENCY, DAMPING_RATIO = "natural frequency", "damping ratio"
-"""Before the number of a mode."""
+FREQUENCY, DAMPING_RATIO = "natural frequency", "damping ratio"  # Before the number of a mode
 _LETTERS: Mapping[str, str] = MappingProxyType(
     dict(zip((*MATRICES, FREQUENCY, DAMPING_RATIO), ("M", "C", "K", "W", "omega", "zeta"), strict=True))
 )

@@ -4,8 +4,6 @@ Matrices keep theirs, with a symbol for each entry. A mode is a body of mass one
 damper 2 ζ ω, and what the modes move is a point whose weights are their shapes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property

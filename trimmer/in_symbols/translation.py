@@ -1,7 +1,5 @@
 """Parts of a mechanism of numbers as parts of one of symbols; coefficients that are zero stay zero."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any

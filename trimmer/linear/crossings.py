@@ -3,8 +3,6 @@
 Between two neighbouring extrema |G| is monotonic, so it crosses a level at most once; likewise the phase.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass

@@ -6,8 +6,6 @@ The zeros of such a sum are the eigenvalues of an arrowhead pencil. They are onl
 axis: what is returned is the sign change of the derivative itself between two of them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise

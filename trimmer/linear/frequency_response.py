@@ -4,8 +4,6 @@ They all take a continuous-time system of python-control with one input and one 
 delay: a ``control.StateSpace`` or a ``control.TransferFunction``. It need not be a trimmer, nor stable.
 """
 
-from __future__ import annotations
-
 import control
 import numpy as np
 from numpy.typing import ArrayLike

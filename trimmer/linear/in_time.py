@@ -1,7 +1,5 @@
 """Response of a linear system in time, sampled and in the sinusoidal steady state."""
 
-from __future__ import annotations
-
 import cmath
 from dataclasses import dataclass
 

@@ -4,8 +4,6 @@ The describing-function method needs a linear part that passes the fundamental a
 (the filtering hypothesis, equation 2.26 of the thesis).
 """
 
-from __future__ import annotations
-
 import math
 
 import control

@@ -1,7 +1,5 @@
 """Margins of a loop 1 + L = 0 from its frequency response, and what of its motion neither dies nor grows."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass

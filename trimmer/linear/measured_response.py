@@ -6,8 +6,6 @@ second differences beside them tell. Then it is at most curvature (x - x1)(x2 - 
 and the spline lies as far from that as it is seen to.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The linear trimmer as python-control systems: state space and transfer function, for any displacement."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import control

@@ -1,7 +1,5 @@
 """Modes of the trimmer, damped and undamped."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Encirclements of a point by the Nyquist locus."""
 
-from __future__ import annotations
-
 import cmath
 
 import control

@@ -1,7 +1,5 @@
 """Linear systems in the forms in which people have them, as systems of python-control."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import control

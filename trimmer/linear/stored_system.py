@@ -1,7 +1,5 @@
 """Systems of python-control in a form that can be pickled: a state-space model there holds a function."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

@@ -1,7 +1,5 @@
 """All results of the linear model for one trimmer and one output, collected in one record."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import control

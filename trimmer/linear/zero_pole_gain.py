@@ -4,8 +4,6 @@ In this form a narrow resonance is as exact as a wide one: the distance from j o
 directly, not as a small difference of large powers of omega.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Self
 

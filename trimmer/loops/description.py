@@ -1,7 +1,5 @@
 """A loop as data that tell it from any other one: what it is made of, to the last digit."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from typing import Any

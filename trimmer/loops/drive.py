@@ -1,7 +1,5 @@
 """Sinusoidal drives, and the period that several have in common."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Energy balance of a moving trimmer: kinetic and potential energy, work of the pin, losses."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from typing import final, overload

@@ -1,7 +1,5 @@
 """The implicit outputs of a mode, such as forces that hold: they follow from conditions on the rates."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

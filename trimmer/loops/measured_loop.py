@@ -1,7 +1,5 @@
 """A loop of which motion in time is not known: its plant is known by frequency-response data."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from trimmer.elements.element import Element

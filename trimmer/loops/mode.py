@@ -1,7 +1,5 @@
 """One mode of an interconnection: its flow Z' = M Z, its components' signals, event functions and hold."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 

@@ -4,8 +4,6 @@ The terms of a sum are numbered from 0, as in ``element.1.level``. ``start.q1`` 
 begins.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass, replace
 from typing import Any, cast

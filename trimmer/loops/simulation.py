@@ -1,7 +1,5 @@
 """The entry of exact simulation: a loop is followed from event to event."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

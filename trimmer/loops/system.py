@@ -1,7 +1,5 @@
 """A loop as the core asks for it: its modes, what follows its events, and what relays at rest do."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property

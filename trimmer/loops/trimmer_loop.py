@@ -1,7 +1,5 @@
 """The trimmer in motion: backlash at the pin, and friction between any two of its bodies."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property

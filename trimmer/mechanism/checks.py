@@ -3,8 +3,6 @@
 ``sense`` looks at how it goes together.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import fields

@@ -1,7 +1,5 @@
 """What is told of the waveforms of a mechanism, which are cut off at their highest orders."""
 
-from __future__ import annotations
-
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.waves import left_out

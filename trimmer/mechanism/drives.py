@@ -1,7 +1,5 @@
 """What drives a mechanism beside its frequency, and after how many periods of that all returns together."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@ The free unknowns are the first that can be free, so that of bodies that move al
 rounding cannot tell from zero is zero: with each entry goes the sum of the moduli of what it is made of.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -4,8 +4,6 @@ The units of all numbers are written down for translations; a kind says what sta
 asked for of a file before its texts are numbers, so parts may be tables of TOML here, with anything in them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from enum import Enum

@@ -1,7 +1,5 @@
 """Values that a file leaves open: ``"unknown"``, or a range such as ``"20 um..60 um"``."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Outputs of every kind in a file and in Python: ``{ cutter = 1 }``, ``{ velocity = { cutter = 1 } }``."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
 from typing import Any

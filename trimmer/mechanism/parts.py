@@ -4,8 +4,6 @@ Units are those of translations. A rotation has rad in place of m, N m of N, N m
 N s/m, kg m² of kg, and also of kg m, for its unbalance is one of moments.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 

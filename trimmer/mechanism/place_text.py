@@ -1,7 +1,5 @@
 """Dotted places such as ``links."motor mount".damping``, written and read as the keys of TOML."""
 
-from __future__ import annotations
-
 import json
 import re
 import tomllib

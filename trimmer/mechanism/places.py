@@ -1,7 +1,5 @@
 """The numbers of a mechanism by their dotted places, such as ``plays.bridge.gap``: read, replaced, listed."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """Whether points fit: sums of coordinates that are there, with weights of one kind, that move."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """What is wrong with a mechanism: the place of it, the value there, and what to do."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum

@@ -1,7 +1,5 @@
 """Which fields of the parts are numbers: unit, and which values will do."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass

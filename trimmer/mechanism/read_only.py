@@ -1,7 +1,5 @@
 """A mapping that keeps its order, cannot be changed, and can be pickled and hashed."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from typing import Generic, TypeVar
 

@@ -1,7 +1,5 @@
 """Mechanisms from TOML: sections, keys and units; what is wrong is named with its line."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import MISSING, fields, replace
 from functools import partial

@@ -3,8 +3,6 @@
 It is asked only of what ``checks`` has nothing against, so values have their types here.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import Any

@@ -3,8 +3,6 @@
 The text is known to be TOML, so only its outline is read: headings, keys, and where each value ends.
 """
 
-from __future__ import annotations
-
 import re
 import tomllib
 from collections.abc import Iterator

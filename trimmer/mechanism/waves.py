@@ -21,8 +21,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Complexes
 
 ORDERS = 20  # Orders of a waveform that are taken if no number is given
-FEWEST, MOST = 3, 100_000
-"""Samples of a waveform."""
+FEWEST, MOST = 3, 100_000  # Samples of a waveform
 UNEVEN = 0.01  # By how much of their distance phases may be off, as in rounded text
 ROUNDING = 1e-14  # Share of the largest amplitude of a waveform below which another is rounding
 

@@ -1,7 +1,5 @@
 """A mechanism as the text of a TOML file."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import MISSING, fields
 from typing import Any

@@ -5,8 +5,6 @@ phases begin and end, ``signals`` what is read, ``extremes`` and ``fourier`` mea
 ``measures`` collects that.
 """
 
-from __future__ import annotations
-
 from importlib import import_module
 from typing import Any
 from warnings import warn

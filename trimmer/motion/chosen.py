@@ -1,7 +1,5 @@
 """Measures by the dotted keys that they have in the JSON of ``trimmer respond``."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction

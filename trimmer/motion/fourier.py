@@ -5,8 +5,6 @@ as they are; for faster waves the wave is replaced by its Legendre series up to 
 which has the same integral: exp(-i a x) = Σ (2 l + 1) (-i)^l j_l(a) P_l(x).
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

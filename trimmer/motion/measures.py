@@ -1,7 +1,5 @@
 """What outputs, bodies, contacts and frictions do over a motion: integrals and extremes exact to rounding."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,7 +1,5 @@
 """What a part that touches, and one that rubs, does over a motion."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Self

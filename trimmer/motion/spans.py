@@ -1,7 +1,5 @@
 """The times at which something is on in a motion, such as contact or stick."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Flags, Reals

@@ -1,7 +1,5 @@
 """What moves, as data: what a mechanism and a loop have in common."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Protocol, Self
 

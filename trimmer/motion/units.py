@@ -1,7 +1,5 @@
 """Units of what is measured of a motion."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 

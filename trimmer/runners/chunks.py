@@ -1,7 +1,5 @@
 """Chunks of cells on their way to those who do them, and back."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from itertools import islice

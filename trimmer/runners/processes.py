@@ -1,7 +1,5 @@
 """The work of cells, done in several processes of this computer."""
 
-from __future__ import annotations
-
 import multiprocessing
 import multiprocessing.context
 import os

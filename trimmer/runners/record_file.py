@@ -4,8 +4,6 @@ Each line is JSON, and the header is the first. A line counts as soon as its end
 run leaves half-written is dropped.
 """
 
-from __future__ import annotations
-
 import json
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping

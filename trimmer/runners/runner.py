@@ -4,8 +4,6 @@ Work and cells are pickled, and a result depends on its cell alone, so the order
 are done never matter.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Protocol, TypeVar

@@ -1,7 +1,5 @@
 """The work of cells, as much of it as is begun before an instant."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Generic

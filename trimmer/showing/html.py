@@ -1,7 +1,5 @@
 """HTML of results for notebooks: plain tables without colours or scripts, right on light and dark pages."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable
 from enum import Enum

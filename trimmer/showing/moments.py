@@ -1,7 +1,5 @@
 """The instants at which the signals of a motion stand in a table."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arguments import whole_number

@@ -1,7 +1,5 @@
 """Numbers that may be nothing but rounding, which another processor does otherwise."""
 
-from __future__ import annotations
-
 SMALLEST = 1e-12
 """Share of one below which a multiplier, or what a balance is off by, is a bound and not a number."""
 

@@ -1,7 +1,5 @@
 """A result as a table: columns with names and units, a row for each thing in it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice

@@ -1,7 +1,5 @@
 """Cells of a CSV file as numbers; text is never evaluated."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """The choice of the columns of a CSV file that hold signal and time stamps."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from trimmer.arguments import whole_number

@@ -1,7 +1,5 @@
 """Displacement, velocity and acceleration made of one another, in the band where that can be trusted."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 

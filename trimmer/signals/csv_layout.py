@@ -1,7 +1,5 @@
 """Layout of a CSV file: delimiter and decimal sign, given or found out."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass

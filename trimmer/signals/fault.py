@@ -1,7 +1,5 @@
 """A fault of a record, and how sure it is: clipping, a dropout, few steps, a large offset."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar, final
 

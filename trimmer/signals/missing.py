@@ -1,7 +1,5 @@
 """Treatment of missing values: refused, interpolated, or taken as gaps."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """The noise below the lines of a record, as power over frequency."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """What a signal of a motion is: displacement, velocity or acceleration, told by its unit."""
 
-from __future__ import annotations
-
 from trimmer.choices import Choice
 
 STANDARD_GRAVITY = 9.80665

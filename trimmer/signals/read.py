@@ -1,7 +1,5 @@
 """Reading of a measured signal from a CSV file: columns, sample rate, missing values, unit."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from trimmer.arguments import file_path, require_instance

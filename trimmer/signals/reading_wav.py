@@ -1,7 +1,5 @@
 """Reading of a WAV file: one channel of it, as shares of full scale."""
 
-from __future__ import annotations
-
 import math
 import warnings
 from pathlib import Path

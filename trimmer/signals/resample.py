@@ -1,7 +1,5 @@
 """Samples at unequal distances brought to equal ones by a cubic spline, and how far that can be trusted."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Values and time stamps of a file as stretches at equal distances, with what was done to them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

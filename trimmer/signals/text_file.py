@@ -1,7 +1,5 @@
 """Text files of measuring devices: their encoding, and the refusal of files that are no text."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

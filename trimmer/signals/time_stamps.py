@@ -1,7 +1,5 @@
 """The sample rate from time stamps, and where these are not at equal distances."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple

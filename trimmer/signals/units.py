@@ -1,7 +1,5 @@
 """Units in the headings of CSV files: which ones are known, and how they are written."""
 
-from __future__ import annotations
-
 import re
 
 from trimmer.signals.quantity import MOTION_UNITS

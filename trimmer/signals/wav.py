@@ -1,7 +1,5 @@
 """Writing of a vibration as sound: mono WAV files at a rate that sound devices play."""
 
-from __future__ import annotations
-
 import io
 import math
 import wave

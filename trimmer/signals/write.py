@@ -1,7 +1,5 @@
 """Writing of signals as a CSV file that reads back equal."""
 
-from __future__ import annotations
-
 import csv
 import io
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The analysis of one signal: spectrum, harmonics and classified peaks, collected in one record."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

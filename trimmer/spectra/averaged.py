@@ -1,7 +1,5 @@
 """Spectra of overlapping segments averaged by Welch's method, with the confidence of what they show."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

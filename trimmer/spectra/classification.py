@@ -1,7 +1,5 @@
 """Classification of the peaks of a spectrum by frequency: harmonic, natural mode, limit cycle or hum."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass

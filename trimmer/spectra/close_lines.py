@@ -7,8 +7,6 @@ a line that drifts or dies out, has no frequency to the accuracy that noise alon
 Source: S. M. Kay, Fundamentals of Statistical Signal Processing: Detection Theory, 1998, chapter 6.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace

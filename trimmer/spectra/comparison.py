@@ -1,7 +1,5 @@
 """A measured motion beside a simulated one that repeats: harmonics, and waveforms aligned in time."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import Any

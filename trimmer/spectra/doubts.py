@@ -1,7 +1,5 @@
 """What in a record makes its spectrum doubtful: faults, too low a sample rate, too short a record."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 

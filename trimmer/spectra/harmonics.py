@@ -1,7 +1,5 @@
 """Harmonics of a known drive, fitted to the samples."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -7,8 +7,6 @@ Sources: G. H. Golub and V. Pereyra, Separable nonlinear least squares, 2003; S.
 Statistical Signal Processing: Estimation Theory, 1993, chapter 3.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache, cached_property

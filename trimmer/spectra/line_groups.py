@@ -1,7 +1,5 @@
 """The lines of a spectrum, group by group: what each is by itself, or with those that are close to it."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Sines that add up to a spectrum: what they show, what they leave, and their fit bin by bin."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

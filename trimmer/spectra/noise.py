@@ -1,7 +1,5 @@
 """Threshold of a spectrum above which a bin is more than noise."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

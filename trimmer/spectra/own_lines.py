@@ -1,7 +1,5 @@
 """Lines that need no drive: multiples of the frequency with which a motion repeats, and hum of the mains."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Peaks of a spectrum, found between the bins."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

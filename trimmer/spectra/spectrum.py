@@ -1,7 +1,5 @@
 """The amplitude spectrum of a sampled signal."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

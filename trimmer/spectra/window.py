@@ -1,7 +1,5 @@
 """Window functions, and the transform of each, which is the shape that a pure sine has in a spectrum."""
 
-from __future__ import annotations
-
 import math
 from functools import cache
 

@@ -1,7 +1,5 @@
 """How numbers of a mechanism scatter: each by itself, or several together."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Which number matters: Sobol indices of first order and total ones, by SALib."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

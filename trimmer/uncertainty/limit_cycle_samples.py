@@ -1,7 +1,5 @@
 """Limit cycles, by harmonic balance, of samples of the thesis's loop, whose parameters and gap scatter."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass

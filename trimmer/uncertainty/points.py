@@ -1,7 +1,5 @@
 """Points of the unit cube that fill it more evenly than random ones do."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What is sampled: a mechanism or a loop, the targets, the distributions, as a file gives them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What samples depend on: how they are drawn, and which of them a mechanism or a loop can have."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

@@ -7,8 +7,6 @@ See ``trimmer.runners.record_file``. The header has the keys ``trimmer sample`` 
 number.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 import math

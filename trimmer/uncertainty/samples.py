@@ -1,7 +1,5 @@
 """Samples of a mechanism or a loop whose numbers scatter: what each of them does."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,7 +1,5 @@
 """What samples tell of all machines: shares with their intervals, and distributions of a measure."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Samples with all that is asked of them: indices, and harmonic balance beside them."""
 
-from __future__ import annotations
-
 import math
 import time
 from collections.abc import Mapping

@@ -1,7 +1,5 @@
 """The table ``[uncertainty]`` of a file: how numbers of a mechanism or a loop scatter."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from typing import Any, Protocol
 

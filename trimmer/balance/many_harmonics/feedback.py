@@ -1,7 +1,5 @@
 """Harmonic balance of a plant with several elements, in the odd harmonics up to an order."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """The pieces of half a period on which a saturation, dead zone or relay with thresholds is smooth."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from itertools import pairwise

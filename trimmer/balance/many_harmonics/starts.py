@@ -5,8 +5,6 @@ the others follow by iteration: E is an eigenvector of G N, and N is that of E. 
 eigenvalue 1.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import control
@@ -20,10 +18,8 @@ from trimmer.elements.scaled_element import ScaledElement
 from trimmer.elements.sum_of_elements import SumOfElements
 from trimmer.elements.viscous_friction import ViscousFriction
 
-OMEGAS, AMPLITUDES = 81, 41
-"""Places of the grid, in equal ratios."""
-SMALLEST, LARGEST = 1e-2, 1e4
-"""Amplitudes over the natural scale of an element."""
+OMEGAS, AMPLITUDES = 81, 41  # Places of the grid, in equal ratios
+SMALLEST, LARGEST = 1e-2, 1e4  # Amplitudes over the natural scale of an element
 ITERATIONS = 6  # How often amplitudes are put into N
 NEAR = 0.7  # Distance of an eigenvalue from 1 up to which it is worth a start
 

@@ -1,7 +1,5 @@
 """The steady output of an element for an odd periodic input of any shape, by its harmonics."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass

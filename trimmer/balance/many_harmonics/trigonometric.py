@@ -1,7 +1,5 @@
 """Trigonometric polynomials of odd harmonics, e(θ) = Im Σ c_n exp(j n θ) over n = 1, 3, 5 ..."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 

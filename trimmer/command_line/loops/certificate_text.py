@@ -1,7 +1,5 @@
 """How far it is certain that no limit cycle is missing, as text for people and as JSON for machines."""
 
-from __future__ import annotations
-
 from trimmer.balance.limit_cycle import Certificate
 from trimmer.command_line.json_values import picked
 

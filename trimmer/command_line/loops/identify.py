@@ -1,7 +1,5 @@
 """``trimmer identify``: time constant of the load behind a backlash, from a measured frequency."""
 
-from __future__ import annotations
-
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command, Example

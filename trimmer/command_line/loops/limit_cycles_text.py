@@ -1,7 +1,5 @@
 """Limit cycles as text for people and as JSON for machines."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import Any

@@ -1,7 +1,5 @@
 """The summary of the linear model as text for people and as JSON for machines."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict

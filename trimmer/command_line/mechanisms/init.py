@@ -1,7 +1,5 @@
 """``trimmer init``: a commented mechanism file to start from."""
 
-from __future__ import annotations
-
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Options that vary numbers, ``--vary PLACE=A:B:N`` or ``--from`` and ``--to``; nothing is evaluated."""
 
-from __future__ import annotations
-
 from argparse import ArgumentParser, Namespace
 from collections.abc import Sequence
 

@@ -1,7 +1,5 @@
 """Samples as text and as JSON."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any

@@ -1,7 +1,5 @@
 """``trimmer step``: how a controlled mechanism follows a step of its reference."""
 
-from __future__ import annotations
-
 from argparse import ArgumentParser, Namespace
 
 from trimmer.command_line.command import Command, Example

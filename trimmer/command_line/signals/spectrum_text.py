@@ -1,7 +1,5 @@
 """The spectrum of a signal as text for people and as JSON for machines."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass

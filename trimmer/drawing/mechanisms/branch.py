@@ -3,8 +3,6 @@
 A colour stands for a number of drive periods, so that an asymmetric branch has that of the symmetric one.
 """
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Callable
 

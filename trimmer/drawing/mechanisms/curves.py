@@ -1,7 +1,5 @@
 """Curves on which special points lie, over two numbers of a mechanism; by themselves, or over a map."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from itertools import cycle
 from typing import Literal

@@ -1,7 +1,5 @@
 """Kinds of motion in plain words, each with its colour and, where a grey print needs it, its hatching."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Frequency responses and mode shapes of a mechanism, with its contacts closed and open."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np
@@ -15,8 +13,7 @@ from trimmer.drawing.look import BLACK, FAINT, colour, line, plain_label
 from trimmer.mechanism.mechanism import Mechanism
 
 WIDTH = 7.2
-RESPONSES, SHAPE = 3.4, 1.0
-"""Heights, inches: of all responses together, and of the shape of a mode."""
+RESPONSES, SHAPE = 3.4, 1.0  # Heights, inches: of all responses together, and of the shape of a mode
 MOST_MODES = 12  # Modes of a state whose shapes are drawn, the lowest ones
 
 

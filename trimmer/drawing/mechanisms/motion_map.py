@@ -1,7 +1,5 @@
 """The picture of a map: kinds of motion as areas, or a stroke over one number; and of a basin."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 

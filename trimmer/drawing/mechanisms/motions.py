@@ -1,7 +1,5 @@
 """A motion of a mechanism over time with contact and stick marked, its phase plane, its Poincaré section."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import replace
 

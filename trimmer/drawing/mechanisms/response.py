@@ -1,7 +1,5 @@
 """The picture of what a mechanism settles to, and of a simulated motion."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure

@@ -1,7 +1,5 @@
 """The picture of a step: reference and output over time, below what acts, with contact and stick marked."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.figure import Figure
 

@@ -1,7 +1,5 @@
 """The picture of a sweep: peak to peak both ways beside the exact branch, and a waterfall over orders."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure

@@ -1,7 +1,5 @@
 """The picture of a measured motion over a simulated one: spectra, and waveforms over a period."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure

@@ -1,7 +1,5 @@
 """The picture of a measured motion over the fitted one: waveform over a period, lines, and what is left."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -14,8 +12,7 @@ from trimmer.drawing.look import BLACK, COLOURS
 from trimmer.drawing.units import name_axis
 from trimmer.fitting.result import Fit
 
-WIDTH, HEIGHT = 6.6, 8.0
-"""Inches of the picture of one output."""
+WIDTH, HEIGHT = 6.6, 8.0  # Inches of the picture of one output
 BINS = 200  # Places of a period at which samples are averaged
 MEASURED, SIMULATED = BLACK, COLOURS[1]
 

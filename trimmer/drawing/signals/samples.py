@@ -1,7 +1,5 @@
 """Sampled signals over time."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.axes import Axes
 

@@ -1,7 +1,5 @@
 """The pictures of spectra: amplitude over frequency, with peaks and what they may be; harmonics."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The common base of friction-, inertia- and viscous-controlled backlash."""
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from dataclasses import dataclass
 

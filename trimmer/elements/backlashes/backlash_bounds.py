@@ -6,8 +6,6 @@ the load meets the wall sooner. So it is earliest at the lowest g/A and the high
 other two limits. All bounds are rounded upwards.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

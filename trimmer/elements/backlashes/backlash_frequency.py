@@ -1,7 +1,5 @@
 """Derivative of backlash's describing function by frequency, that is, by ln gamma with gamma = omega M/D."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals

@@ -7,8 +7,6 @@ shorter one of flight and contact, and both together where the flight is so shor
 the relative error stays near rounding at both edges of the domain.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Complexes

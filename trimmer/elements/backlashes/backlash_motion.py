@@ -7,8 +7,6 @@ pushed for the angle ``contact`` = π - ``flight`` to the separation on that sid
 derivation is in derivations/elements/backlash.py; Gelb and Vander Velde (1968) treat the two limits.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -6,8 +6,6 @@ on (0, π), so there is one flight for each g/A up to that of t = π. The equati
 quarter period, where it is convex, and beyond it for the contact π - t, from the distance to the largest g/A.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Friction-controlled backlash: the load stops as soon as it is not pushed."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import final
 

@@ -1,7 +1,5 @@
 """Inertia-controlled backlash: the load keeps its velocity while it is not pushed."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import final
 

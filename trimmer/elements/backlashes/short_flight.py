@@ -4,8 +4,6 @@ Valid for flights t <= SMALL, rad, and t/gamma <= SMALL; notation of contact_equ
 first order g/A is c (1 + 1/gamma²) t³/6, while its terms are of the order of t.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Reals

@@ -1,7 +1,5 @@
 """Viscous-controlled backlash: the general case, between friction- and inertia-controlled."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import final
 

@@ -1,7 +1,5 @@
 """Backlash in the time domain: contact on either side, free flight in the gap, and rest in it."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import final

@@ -1,7 +1,5 @@
 """Saturation and dead zone in the time domain: three straight lines, each a mode."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import final
 

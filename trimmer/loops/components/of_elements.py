@@ -1,7 +1,5 @@
 """The switched components that an element is made of in the time domain, and those that have no modes."""
 
-from __future__ import annotations
-
 import math
 import sys
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """A set-valued sign function in the time domain: ideal relay, and Coulomb friction with true stick."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import final
 

@@ -4,8 +4,6 @@ All signals of a mode are rows: linear functionals of the extended state (states
 components, sine and cosine of the drive, and one). An event function is positive while its mode lasts.
 """
 
-from __future__ import annotations
-
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from enum import Enum

@@ -1,7 +1,5 @@
 """A relay with hysteresis, dead zone or both in the time domain."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import final
 

@@ -5,8 +5,6 @@ has that still when it slips, and a backlash whose pin it carries would take the
 sign of the pin's velocity: part and meet again for ever at one instant.
 """
 
-from __future__ import annotations
-
 from itertools import combinations
 
 import numpy as np

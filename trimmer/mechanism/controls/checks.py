@@ -1,7 +1,5 @@
 """Whether controllers and references can be used, and go together with the rest of a mechanism."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields

@@ -1,7 +1,5 @@
 """Controllers that do nothing, as a gain was left out: 0 is what a file means by that, and it is taken so."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 
 from trimmer.mechanism.controls.controllers import Cascade, Controller, Pid, TransferController

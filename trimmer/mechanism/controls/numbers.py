@@ -3,8 +3,6 @@
 Parts may be tables of a file here, with anything in them.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping
 from typing import Any

@@ -1,7 +1,5 @@
 """Controllers and references in a file: their tables read and written, and the places of their numbers."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import MISSING, fields, replace
 from typing import Any

@@ -1,7 +1,5 @@
 """What controllers follow: references r over time, in the unit of the output that is measured."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType

@@ -1,7 +1,5 @@
 """The matrices of the linear part of a mechanism."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """The linear mechanism with its contacts closed or open, and its outputs as functionals of what moves."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Whether a structure's matrices or modes can be those of a linear part, and its names go with them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 

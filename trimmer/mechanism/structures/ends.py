@@ -3,8 +3,6 @@
 Structures may be tables of a file here, before it is known whether they will do.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from typing import Any
 

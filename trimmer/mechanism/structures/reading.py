@@ -1,7 +1,5 @@
 """Structures from the tables of a mechanism's file, and the files that these name."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import fields
