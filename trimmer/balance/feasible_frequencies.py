@@ -23,9 +23,7 @@ from trimmer.balance.solve import limit_cycles
 from trimmer.elements.backlashes.backlash_motion import GAMMA_LIMITS
 from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
 from trimmer.errors import UndecidedWarning
-from trimmer.linear.crossings import real_axis_crossings
-from trimmer.linear.frequency_response import response_at
-from trimmer.linear.zero_pole_gain import ZeroPoleGain
+from trimmer.linear import ZeroPoleGain, real_axis_crossings, response_at
 from trimmer.showing.shown import Shown
 
 _BEYOND = 1e3  # How far beyond the outermost end of a band a frequency is that stands for all beyond

@@ -14,8 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trimmer.arrays import ArrayRecord, Complexes, Flags, Reals
-from trimmer.linear.frequency_response import UnsupportedSystemError
-from trimmer.linear.zero_pole_gain import ZeroPoleGain
+from trimmer.linear import UnsupportedSystemError, ZeroPoleGain
 
 
 @dataclass(frozen=True)

@@ -15,10 +15,9 @@ from trimmer.errors import WrongTypeError
 from trimmer.linear.frequency_response import require_siso
 from trimmer.linear.measured_response import MeasuredResponse
 from trimmer.linear.plant_forms import adopted_system
-from trimmer.loops.feedback import Feedback
+from trimmer.loops import Feedback, TrimmerLoop
 from trimmer.loops.loops import ClosedLoop, Loop
 from trimmer.loops.measured_loop import MeasuredLoop
-from trimmer.loops.trimmer_loop import TrimmerLoop
 
 if TYPE_CHECKING:
     import scipy.signal

@@ -22,11 +22,7 @@ from trimmer.balance.inverse_response import InverseResponse, Sloped
 from trimmer.balance.loop import range_of_roots
 from trimmer.balance.search import SearchedRegion, SearchResult
 from trimmer.balance.uniqueness import cross, newton_step
-from trimmer.elements.control_element import ControlElement
-from trimmer.elements.element import Element
-from trimmer.elements.element_at_frequency import ElementAtFrequency
-from trimmer.elements.scaled_element import ScaledElement
-from trimmer.elements.sum_of_elements import SumOfElements
+from trimmer.elements import ControlElement, Element, ElementAtFrequency, ScaledElement, SumOfElements
 
 DECADES = 8.0  # How far on either side of the element's scale amplitudes are searched
 _BEYOND_ROOTS = math.log(1e3)  # How far beyond the roots of G frequencies are searched, in x

@@ -28,8 +28,7 @@ from trimmer.balance.sampled import solve_sampled, unproven
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.balance.winding_number import winding_number
 from trimmer.errors import FrequencyRangeError, UndecidedWarning
-from trimmer.loops.feedback import Feedback
-from trimmer.loops.loops import ClosedLoop
+from trimmer.loops import ClosedLoop, Feedback
 from trimmer.loops.measured_loop import MeasuredLoop
 
 if TYPE_CHECKING:

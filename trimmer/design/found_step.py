@@ -12,12 +12,10 @@ from trimmer.design.motion_signals import MotionSignals, signals_of
 from trimmer.design.targets import Measure, followers
 from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.advance import Ending
-from trimmer.mechanism.controls.references import StepReference
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism import Mechanism, StepReference
 from trimmer.motion.signals import along
 from trimmer.motion.step_measures import Step, StepMeasures, step_measures
-from trimmer.response.response import MotionKind, Response
-from trimmer.response.step import StepResponse, step_response
+from trimmer.response import MotionKind, Response, StepResponse, step_response
 from trimmer.response.step_end import StepEnd, followed
 
 ROUNDING = 1e-9  # Share of the step below which a final error is rounding, or what is left of the way to rest

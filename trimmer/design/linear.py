@@ -9,11 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
+from trimmer.mechanism import LinearMatrices, Mechanism, linear_matrices
 from trimmer.mechanism.coordinates import shaken_ends, weights_of_ends
 from trimmer.mechanism.drives import waves_in
-from trimmer.mechanism.linear.matrices import LinearMatrices, linear_matrices
 from trimmer.mechanism.linear.outputs import Contacts, output_rows, with_contacts
-from trimmer.mechanism.mechanism import Mechanism
 
 POINTS = 2000  # Frequencies of a transfer function
 BELOW, ABOVE = 20.0, 3.0

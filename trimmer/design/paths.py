@@ -6,11 +6,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from trimmer.arrays import Flags, Reals
-from trimmer.branches.branch import BranchEnd
+from trimmer.branches import BranchEnd, FollowedBranch, FollowedOrbit, FollowSettings, SpecialKind
 from trimmer.branches.follow import follow
-from trimmer.branches.followed import FollowedBranch, FollowedOrbit
-from trimmer.branches.settings import FollowSettings
-from trimmer.branches.special import SpecialKind
 from trimmer.deadline import NEVER, Deadline
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.varied_places import VariedNumber

@@ -17,8 +17,7 @@ from trimmer.design.varied_places import VariedNumber
 from trimmer.errors import TrimmerError
 from trimmer.maps.inputs import varied
 from trimmer.maps.settle import settle
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Output, OutputKind
+from trimmer.mechanism import Mechanism, Output, OutputKind
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.signals import read

@@ -30,8 +30,7 @@ from trimmer.design.targets import Target
 from trimmer.design.varied_places import VariedNumber, varied_places
 from trimmer.design.verdict import DesignVerdict, verdict_on
 from trimmer.maps.cells import Cell, CellResult
-from trimmer.runners.processes import ProcessRunner
-from trimmer.runners.runner import Runner
+from trimmer.runners import ProcessRunner, Runner
 from trimmer.runners.timed import TimedRunner
 
 Result = TypeVar("Result")

@@ -6,10 +6,8 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Any
 
-from trimmer.mechanism.controls.references import StepReference
+from trimmer.mechanism import Mechanism, OutputKind, StepReference
 from trimmer.mechanism.coordinates import shaken_ends
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import OutputKind
 from trimmer.mechanism.problems import Problem
 from trimmer.mechanism.quantities import NumberField, Range
 from trimmer.mechanism.units import UnitError, quantity

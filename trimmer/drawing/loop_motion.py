@@ -8,10 +8,9 @@ from trimmer.drawing.axes import finish
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import line
 from trimmer.drawing.strips import strips_of
+from trimmer.loops import Feedback, LoopMotion
 from trimmer.loops.components.backlash_component import BacklashComponent
-from trimmer.loops.feedback import Feedback
 from trimmer.loops.flow import LoopFlow
-from trimmer.loops.motion import LoopMotion
 
 POINTS = 4000  # Points of a curve, beside the events
 MOST_EVENTS = 2000  # Events up to which each is a point of the curves too

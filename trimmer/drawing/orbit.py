@@ -10,8 +10,7 @@ from trimmer.drawing.axes import finish
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, STABLE, UNSTABLE, colour
 from trimmer.drawing.units import with_prefix
-from trimmer.orbits.periodic_orbit import PeriodicOrbit
-from trimmer.orbits.search import PeriodicOrbits
+from trimmer.orbits import PeriodicOrbit, PeriodicOrbits
 
 POINTS = 2000  # Points of an orbit, beside its events
 

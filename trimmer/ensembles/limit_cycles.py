@@ -9,8 +9,7 @@ from numpy.typing import ArrayLike
 
 from trimmer.arguments import real_values, require_instance
 from trimmer.arrays import ArrayRecord, Complexes, Flags, Integers, Places, Reals
-from trimmer.balance.limit_cycle import LimitCycle
-from trimmer.balance.solve import limit_cycles
+from trimmer.balance import LimitCycle, limit_cycles
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.ensembles.crossings import crossings

@@ -12,8 +12,7 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Flags, Reals
 from trimmer.fitting.stray import StrayLine, fraction_of, peaks_of, place_of, repeats_after, tolerance
-from trimmer.signals.quantity import MotionQuantity
-from trimmer.signals.signal import Signal, SignalError
+from trimmer.signals import MotionQuantity, Signal, SignalError
 from trimmer.spectra.comparison import SimulatedLines, found_frequency, sought
 from trimmer.spectra.harmonics import MOST_HARMONICS, HarmonicFit, fit_harmonics
 from trimmer.spectra.window import Window

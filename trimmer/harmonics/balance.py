@@ -14,11 +14,10 @@ from trimmer.harmonics.contact import HarmonicContact
 from trimmer.harmonics.forces import Harmonics
 from trimmer.harmonics.rubbing import friction_harmonics
 from trimmer.harmonics.waveform import PeriodicWaveform
+from trimmer.mechanism import Link, Mechanism, Play, Stop
 from trimmer.mechanism.controls.checks import require_uncontrolled
 from trimmer.mechanism.drives import drives_of, waves_in
 from trimmer.mechanism.linear.matrices import displacement_rows, linear_matrices
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Link, Play, Stop
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.waves import mean_of
 

@@ -14,13 +14,10 @@ from typing import Any
 
 from trimmer.errors import MechanismError
 from trimmer.in_symbols.structure_symbols import symbols_of
-from trimmer.mechanism import number_rows
+from trimmer.mechanism import Link, Mechanism, Structure, number_rows
 from trimmer.mechanism.kinds import Kind, number_of_weight
-from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.outputs import UNITS
-from trimmer.mechanism.parts import Link
 from trimmer.mechanism.place_text import place_text
-from trimmer.mechanism.structures.structure import Structure
 
 Place = tuple[str, str, str]  # Section, part, and what is meant of it
 

@@ -8,9 +8,8 @@ from types import MappingProxyType
 import numpy as np
 
 from trimmer.arrays import Reals
+from trimmer.mechanism import Mechanism, Structure
 from trimmer.mechanism.kinds import Kind
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.structures.structure import Structure
 
 COORDINATE = "coordinate"  # Before the name of a coordinate
 MATRICES = ("mass", "damping", "stiffness", "mobility")

@@ -21,9 +21,8 @@ from trimmer.in_symbols.structure_symbols import (
     entry_of,
     shape_of,
 )
+from trimmer.mechanism import Mechanism, Structure
 from trimmer.mechanism.kinds import Kind
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.structures.structure import Structure
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,7 @@ from dataclasses import fields, is_dataclass, replace
 from typing import Any, cast
 
 from trimmer.arguments import finite_number, require_instance
-from trimmer.elements.scaled_element import ScaledElement
-from trimmer.elements.sum_of_elements import SumOfElements
+from trimmer.elements import ScaledElement, SumOfElements
 from trimmer.errors import LoopError
 from trimmer.loops.drive import Drive
 from trimmer.loops.feedback import Feedback

@@ -5,9 +5,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from trimmer.signals.band import Band
+from trimmer.signals import Band, Signal
 from trimmer.signals.faults import faults
-from trimmer.signals.signal import Signal
 from trimmer.spectra.classification import Origin
 from trimmer.spectra.close_lines import TOGETHER, chains
 from trimmer.spectra.line_fit import linked

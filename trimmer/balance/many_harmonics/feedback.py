@@ -13,8 +13,7 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.balance.many_harmonics.starts import responses, starts
 from trimmer.balance.many_harmonics.steady_response import steady_response
 from trimmer.balance.many_harmonics.trigonometric import OddPolynomial
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.element import Element
+from trimmer.elements import CoulombFriction, Element
 from trimmer.loops.feedback import Feedback
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.messages import listed

@@ -11,12 +11,7 @@ import control
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.elements.coulomb_friction import CoulombFriction
-from trimmer.elements.element import Element
-from trimmer.elements.relay import Relay
-from trimmer.elements.scaled_element import ScaledElement
-from trimmer.elements.sum_of_elements import SumOfElements
-from trimmer.elements.viscous_friction import ViscousFriction
+from trimmer.elements import CoulombFriction, Element, Relay, ScaledElement, SumOfElements, ViscousFriction
 
 OMEGAS, AMPLITUDES = 81, 41  # Places of the grid, in equal ratios
 SMALLEST, LARGEST = 1e-2, 1e4  # Amplitudes over the natural scale of an element

@@ -7,8 +7,7 @@ from dataclasses import asdict
 from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.table import table
 from trimmer.displacement import TrimmerBody
-from trimmer.linear.model import InputChannels
-from trimmer.linear.modes import Mode
+from trimmer.linear import InputChannels, Mode
 from trimmer.linear.summary import CRITICAL_POINT, LinearSummary
 
 _CHANNELS = {

@@ -20,8 +20,7 @@ from trimmer.command_line.state_option import chosen_state
 from trimmer.sizes import reason_against_size
 
 if TYPE_CHECKING:
-    from trimmer.loops.drive import Drive
-    from trimmer.loops.trimmer_loop import BodyFriction, TrimmerLoop
+    from trimmer.loops import BodyFriction, Drive, TrimmerLoop
 DRIVE_HELP = "drive the pin at a frequency, Hz (open loop)"
 
 

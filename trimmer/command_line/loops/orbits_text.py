@@ -13,8 +13,7 @@ from trimmer.showing.rounding import or_rounding
 if TYPE_CHECKING:
     from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle
     from trimmer.elements.element import Element
-    from trimmer.orbits.periodic_orbit import PeriodicOrbit
-    from trimmer.orbits.search import PeriodicOrbits
+    from trimmer.orbits import PeriodicOrbit, PeriodicOrbits
 
 HEADS = ("amplitude", "Hz", "stable", "multiplier", "predicted amplitude", "error", "predicted Hz", "error")
 

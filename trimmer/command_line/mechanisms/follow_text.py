@@ -14,8 +14,7 @@ from trimmer.response.flows import flow_of
 from trimmer.response.pace import period_word, periods_of
 
 if TYPE_CHECKING:
-    from trimmer.branches.followed import FollowedBranch, FollowedOrbit
-    from trimmer.branches.special import SpecialPoint
+    from trimmer.branches import FollowedBranch, FollowedOrbit, SpecialPoint
 
 
 def as_text(branch: FollowedBranch, harmonics: int | None, measures: Sequence[str] = ()) -> str:

@@ -30,8 +30,7 @@ from trimmer.files import MAP
 
 if TYPE_CHECKING:
     from trimmer.loops.trimmer_loop import TrimmerLoop
-    from trimmer.maps.result import MotionMap
-    from trimmer.maps.special_curve import SpecialCurves
+    from trimmer.maps import MotionMap, SpecialCurves
     from trimmer.mechanism.mechanism import Mechanism
 
 MOST_LINES = 1000  # Values of the second number at which branches are followed, each for seconds or minutes

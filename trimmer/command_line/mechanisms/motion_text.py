@@ -15,8 +15,7 @@ from trimmer.response.response_json import rest_json
 from trimmer.showing.rounding import or_rounding
 
 if TYPE_CHECKING:
-    from trimmer.response.energy import MechanismEnergy
-    from trimmer.response.motion import MechanismMotion
+    from trimmer.response import MechanismEnergy, MechanismMotion
 
 _WORKS = ("pins", "forces", "controllers")
 _LOSSES = {

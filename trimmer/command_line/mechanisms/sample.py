@@ -30,9 +30,7 @@ from trimmer.command_line.system_options import SOURCES, add_system_options, ref
 from trimmer.files import SAMPLES, STANDARD_INPUT
 
 if TYPE_CHECKING:
-    from trimmer.uncertainty.sample_file import SampleFile
-    from trimmer.uncertainty.sample_inputs import SampleSettings
-    from trimmer.uncertainty.study import SampleStudy
+    from trimmer.uncertainty import SampleFile, SampleSettings, SampleStudy
 
 COUNT = 512
 LOOP_ALONE = ("parameters", "drive", "amplitude")

@@ -9,8 +9,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.table import table
-from trimmer.design.targets import Measure
-from trimmer.design.trial import MeasureOfPart
+from trimmer.design import Measure, MeasureOfPart
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.uncertainty.balance import BalancedSamples
 from trimmer.uncertainty.indices import Indices

@@ -14,9 +14,8 @@ from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.files import STANDARD_INPUT
 
 if TYPE_CHECKING:
+    from trimmer.signals import Recording, Signal
     from trimmer.signals.fault import Fault
-    from trimmer.signals.recording import Recording
-    from trimmer.signals.signal import Signal
 
 DELIMITERS = ("comma", "semicolon", "tab")
 DECIMAL_SIGNS = ("point", "comma")

@@ -24,11 +24,8 @@ from trimmer.files import CSV, STANDARD_INPUT, WAV
 if TYPE_CHECKING:
     from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.command_line.signals.spectrum_text import PredictedFrequencies
-    from trimmer.signals.signal import Signal
-    from trimmer.signals.wav import WavFile
-    from trimmer.spectra.analysis import SpectrumAnalysis
-    from trimmer.spectra.averaged import AveragedSpectrum
-    from trimmer.spectra.comparison import MotionComparison
+    from trimmer.signals import Signal, WavFile
+    from trimmer.spectra import AveragedSpectrum, MotionComparison, SpectrumAnalysis
 
 WINDOWS = ("rectangular", "hann", "blackman-harris", "flat-top")
 BIT_DEPTHS = (16, 24)

@@ -18,8 +18,7 @@ from trimmer.command_line.table import table
 from trimmer.motion.units import with_unit
 from trimmer.showing.shown import counted
 from trimmer.signals.wav import WavFile
-from trimmer.spectra.analysis import SpectrumAnalysis
-from trimmer.spectra.averaged import AveragedSpectrum
+from trimmer.spectra import AveragedSpectrum, HarmonicFit, MotionComparison, SpectrumAnalysis
 from trimmer.spectra.classification import (
     MODEL_TOLERANCE,
     TOLERANCE_BINS,
@@ -33,8 +32,6 @@ from trimmer.spectra.classification import (
     Origin,
     OwnMultiple,
 )
-from trimmer.spectra.comparison import MotionComparison
-from trimmer.spectra.harmonics import HarmonicFit
 
 LEVELS: Mapping[str, float] = MappingProxyType({"m/s²": 1e-6, "m/s": 1e-9, "m": 1e-12})
 """Reference rms of the level of a vibration, by its unit: ISO 1683:2015."""

@@ -9,8 +9,7 @@ from collections.abc import Callable
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from trimmer.branches.followed import FollowedBranch, FollowedOrbit
-from trimmer.branches.special import SpecialKind, SpecialPoint
+from trimmer.branches import FollowedBranch, FollowedOrbit, SpecialKind, SpecialPoint
 from trimmer.drawing.axes import finish
 from trimmer.drawing.content import new_figure
 from trimmer.drawing.dispatch import draw

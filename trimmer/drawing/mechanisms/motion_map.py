@@ -17,8 +17,7 @@ from trimmer.drawing.mechanisms.curves import add_curves
 from trimmer.drawing.mechanisms.kinds import Category, categories, category, legend_of
 from trimmer.drawing.units import name_axis
 from trimmer.errors import MapError
-from trimmer.maps.basin import Basin
-from trimmer.maps.result import MotionMap
+from trimmer.maps import Basin, MotionMap
 from trimmer.motion.units import with_unit
 from trimmer.response.response import MotionKind
 

@@ -4,8 +4,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from trimmer.design.targets import Measure
-from trimmer.design.trial import MeasureOfPart
+from trimmer.design import Measure, MeasureOfPart
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.units import name_axis
 from trimmer.uncertainty.samples import Samples

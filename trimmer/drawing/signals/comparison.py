@@ -9,8 +9,7 @@ from trimmer.drawing.content import new_figure
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, COLOURS
 from trimmer.drawing.signals.spectrum import outline
-from trimmer.spectra.comparison import MotionComparison
-from trimmer.spectra.spectrum import amplitude_spectrum
+from trimmer.spectra import MotionComparison, amplitude_spectrum
 
 SIZE = (7.2, 6.8)
 SAMPLES = 2000  # Measured samples that are shown in a period
