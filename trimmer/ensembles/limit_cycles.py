@@ -13,7 +13,7 @@ from trimmer.balance import LimitCycle, limit_cycles
 from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, Displacement
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.ensembles.crossings import crossings
-from trimmer.ensembles.frequencies import frequencies_near
+from trimmer.ensembles.grid import frequencies_near
 from trimmer.ensembles.other_poles import unstable_others
 from trimmer.ensembles.polishing import polished
 from trimmer.ensembles.polynomials import roots

@@ -5,12 +5,14 @@ from __future__ import annotations
 from abc import abstractmethod
 from typing import TYPE_CHECKING, Any, Protocol
 
+import numpy as np
+
+from trimmer.arguments import whole_number
+from trimmer.arrays import Reals
 from trimmer.messages import near_or_all
 from trimmer.showing.drawn import Drawn
-from trimmer.showing.frame import to_frame
-from trimmer.showing.moments import POINTS, moments
 from trimmer.showing.shown import Tabular
-from trimmer.showing.table import over_time
+from trimmer.showing.table import over_time, to_frame
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -18,7 +20,13 @@ if TYPE_CHECKING:
     import pandas
     from numpy.typing import ArrayLike
 
-    from trimmer.arrays import Reals
+POINTS = 1000  # Instants that are evenly spread, if no number is given
+
+
+def moments(duration: float, events: Reals, points: int) -> Reals:
+    """Return instants that are evenly spread over a motion, and those of its events, s, in their order."""
+    even = np.linspace(0.0, duration, whole_number("points", points, 2))
+    return np.union1d(even, events)
 
 
 class Energy(Protocol):

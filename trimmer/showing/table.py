@@ -1,10 +1,18 @@
 """A result as a table: columns with names and units, a row for each thing in it."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from operator import attrgetter, itemgetter
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+from trimmer.choices import Choice
+from trimmer.errors import MissingPackageError
+
+if TYPE_CHECKING:
+    import pandas
 
 
 @dataclass(frozen=True)
@@ -70,3 +78,21 @@ def over_time(title: str, times: Any, signals: Mapping[str, tuple[str, Any]]) ->
 
 TERMS = (Column("term", "", itemgetter(0)), Column("energy", "J", itemgetter(1)))
 """Columns of an energy balance, whose rows are names and energies."""
+
+
+def to_frame(table: Table) -> pandas.DataFrame:
+    """Return a table as a data frame, with the units of its columns in ``attrs["units"]``."""
+    try:
+        import pandas
+    except ImportError as error:
+        raise MissingPackageError(
+            "to_dataframe needs pandas, which is not installed: install it with 'pip install pandas'"
+        ) from error
+    rows = [tuple(map(_plain, values)) for values in table.rows()]
+    frame = pandas.DataFrame(rows, columns=[column.name for column in table.columns])
+    frame.attrs.update(title=table.title, units=table.units)
+    return frame
+
+
+def _plain(value: object) -> object:
+    return value.word if isinstance(value, Choice) else value

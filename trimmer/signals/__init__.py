@@ -2,8 +2,8 @@
 
 ``signal`` is what the rest works on. ``read`` reads one from a CSV file, in this order: ``text_file`` gives
 text, ``csv_layout`` and ``csv_table`` rows and headings, ``columns`` the columns that are meant, ``cells``
-numbers, ``missing`` what to do without some; ``time_stamps`` finds the rate and gaps, ``sampling`` decides
-what is done about them, with ``resample``, and a ``recording`` holds the stretches. ``read_wav`` reads sound.
+numbers; ``time_stamps`` finds the rate and gaps, ``sampling`` decides what is done about them, and a
+``recording`` holds the stretches. ``read_wav`` reads sound.
 ``quantity`` is what a signal is by its unit, ``band`` where it can be trusted, ``faults`` what is wrong with
 it. ``convert`` makes displacement, velocity and acceleration of one another, with ``noise_floor`` and
 ``omega_kernel``. ``write`` writes CSV and ``wav`` audio.

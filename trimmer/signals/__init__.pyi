@@ -9,8 +9,8 @@ from .fault import Clipping as Clipping
 from .fault import Dropout as Dropout
 from .fault import FewSteps as FewSteps
 from .fault import Offset as Offset
-from .missing import MissingValues as MissingValues
 from .quantity import MotionQuantity as MotionQuantity
+from .read import MissingValues as MissingValues
 from .read import read_recording as read_recording
 from .read import read_signal as read_signal
 from .reading_wav import read_wav as read_wav

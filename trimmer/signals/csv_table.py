@@ -18,8 +18,8 @@ from trimmer.signals.csv_layout import (
     ends_with_delimiter,
     is_comment,
 )
+from trimmer.signals.quantity import in_brackets, is_unit
 from trimmer.signals.text_file import SignalFileError, read_lines
-from trimmer.signals.units import in_brackets, is_unit
 
 _LONGEST_PREAMBLE = 100
 

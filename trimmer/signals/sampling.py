@@ -1,5 +1,6 @@
 """Values and time stamps of a file as stretches at equal distances, with what was done to them."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -10,7 +11,6 @@ from trimmer.choices import Choice
 from trimmer.signals.band import EVERYWHERE, Band
 from trimmer.signals.faults import faults
 from trimmer.signals.recording import Gap, told_gaps
-from trimmer.signals.resample import resampled, trusted_band
 from trimmer.signals.signal import Signal
 from trimmer.signals.text_file import SignalFileError
 from trimmer.signals.time_stamps import RATE_TOLERANCE, Spacing, agreed_rate, spacing_of
@@ -197,3 +197,33 @@ def _resampled(stamped: Stamped, part: slice, rate: float, notes: tuple[str, ...
     wrong = faults(Signal(measured, rate, start=float(times[0])))  # a spline would hide them
     notes = (*notes, *(fault.sentence for fault in wrong), told)
     return EvenSamples(resampled(times, measured, rate), float(times[0]), band, notes)
+
+
+SPLINE_ERROR = 0.01
+"""Largest error of a line, relative to its amplitude, up to the frequency that counts as trusted."""
+
+_BOUND = 5.0 / 384.0
+"""Error of a cubic spline with exact end slopes over h^4 max|f''''|, on any mesh of largest step h (Hall and
+Meyer, Journal of Approximation Theory 16, 1976). The ends here have no slopes, so it holds inside."""
+
+
+def resampled(times: Reals, values: Reals, rate: float) -> Reals:
+    """Evaluate the cubic spline through samples, (n,), n >= 4, at a rate, Hz, from the first time, s, on."""
+    from scipy.interpolate import CubicSpline
+
+    count = math.floor((times[-1] - times[0]) * rate * (1 + 1e-12)) + 1
+    return np.asarray(CubicSpline(times, values)(times[0] + np.arange(count) / rate))
+
+
+def trusted_band(times: Reals) -> Band:
+    """Return the band in which the spline changes no line by more than ``SPLINE_ERROR``.
+
+    A line at f has a fourth derivative of (2 pi f)^4 times its amplitude; the largest step decides.
+    """
+    longest = float(np.diff(times).max())
+    highest = (SPLINE_ERROR / _BOUND) ** 0.25 / (2 * math.pi * longest)
+    return Band(
+        highest=highest,
+        highest_reason=f"cubic spline over steps of up to {longest:.4g} s, lines exact to "
+        f"{100 * SPLINE_ERROR:g} %",
+    )

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from trimmer.ensembles.crossings import Crossings, crossings
-from trimmer.ensembles.frequencies import frequencies_near
-from trimmer.ensembles.grid import FrequencyGrid
+from trimmer.ensembles.grid import FrequencyGrid, frequencies_near
 from trimmer.ensembles.other_poles import unstable_others
 from trimmer.ensembles.polishing import polished
 from trimmer.ensembles.responses import Responses, responses_of

@@ -9,10 +9,10 @@ import pytest
 
 from tests.quick import quick
 from trimmer import ContactLaw, Play, Stop
+from trimmer.harmonics.balance import friction_harmonics
 from trimmer.harmonics.contact import HarmonicContact
 from trimmer.harmonics.crossings import crossings
 from trimmer.harmonics.forces import Harmonics
-from trimmer.harmonics.rubbing import friction_harmonics
 from trimmer.harmonics.waveform import Decay, PeriodicWaveform
 
 OMEGA = 2.0

@@ -10,10 +10,9 @@ import pytest
 from IPython.core.formatters import HTMLFormatter
 
 from trimmer.errors import MissingPackageError
-from trimmer.showing import html
-from trimmer.showing.frame import to_frame
+from trimmer.showing import shown as html
 from trimmer.showing.shown import LONGEST, ShownFields, Tabular, counted
-from trimmer.showing.table import TERMS, Column, Table, arrays, attributes
+from trimmer.showing.table import TERMS, Column, Table, arrays, attributes, to_frame
 from trimmer.thesis import TrimmerBody
 
 

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from trimmer.signals.resample import SPLINE_ERROR, resampled, trusted_band
+from trimmer.signals.sampling import SPLINE_ERROR, resampled, trusted_band
 
 
 @pytest.mark.parametrize("seed", range(5))
