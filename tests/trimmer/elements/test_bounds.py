@@ -17,17 +17,11 @@ STATIC: tuple[Element, ...] = (
     *(Saturation(4e-5, 691.0), DeadZone(4e-5, 691.0), Relay(3.0), CoulombFriction(0.5), Preload(3.0, 0.4)),
     *(FrictionBacklash(4e-5), InertiaBacklash(4e-5)),
 )
-SIZE = 6.0 / (math.pi * 0.7)
 RELAYS = (
     *(Relay(3.0, hysteresis=0.5, dead_zone=0.2), Relay(3.0, hysteresis=0.2, dead_zone=0.5)),
     *(Relay(3.0, hysteresis=0.35, dead_zone=0.35), Relay(3.0, hysteresis=0.0, dead_zone=0.7)),
 )
 """All switch on at 0.7, and off elsewhere."""
-
-
-def angles(relay: Relay, u: float) -> tuple[float, float]:
-    """Where it switches on and off, in asin u and asin(u off/on)."""
-    return math.asin(u), math.asin(u * (relay.dead_zone - relay.hysteresis) / 0.7)
 
 
 @pytest.mark.parametrize("element", STATIC, ids=repr)
@@ -44,36 +38,20 @@ def test_bounds_are_those_of_a_fine_grid_or_little_more(element: Element, lower:
 
 
 @pytest.mark.parametrize("relay", RELAYS, ids=repr)
-def test_the_bounds_of_a_relay_are_those_of_its_two_circles(relay: Relay) -> None:
-    """N = size u (exp(-j alpha) + exp(j rho)): each circle is turned on by itself."""
-    lower, upper = np.array([[0.1], [0.4]]), np.array([0.5, 0.8, 0.9])
-    steepest, change = relay.sensitivity((lower, upper)).by_u, relay.variation((lower, upper)).by_u
-    assert steepest.shape == change.shape == (2, 3)
-    for column, u in enumerate(upper.tolist()):
-        last = angles(relay, u)
-        assert steepest[0, column] == pytest.approx(SIZE * sum(1 / math.cos(a) for a in last), rel=3e-9)
-        assert steepest[0, column] > SIZE * sum(1 / math.cos(a) for a in last)
-        for row, first in enumerate(angles(relay, each) for each in (0.1, 0.4)):
-            parts = (
-                abs(b - a) * math.sqrt(4 + math.tan(b) ** 2) / math.cos(b)
-                for a, b in zip(first, last, strict=True)
-            )
-            assert change[row, column] == pytest.approx(SIZE * sum(parts), rel=3e-9)
-    assert relay.sensitivity((0.5, 1.7)).by_u == relay.sensitivity((0.5, 1.0)).by_u > 1e7
-
-
-@pytest.mark.parametrize("relay", RELAYS, ids=repr)
-@pytest.mark.parametrize(("lower", "upper"), [(0.1, 0.3), (0.3, 0.95), (0.9, 1.0)])
-def test_the_reach_of_a_relay_is_the_longer_chord_from_the_middle(
-    relay: Relay, lower: float, upper: float
-) -> None:
-    middle = angles(relay, 0.5 * (lower + upper))
-    ends = [angles(relay, u) for u in (lower, upper)]
-    chords = [max(abs(math.sin(end[k] - middle[k])) for end in ends) for k in (0, 1)]
-    ratio = abs(relay.dead_zone - relay.hysteresis) / 0.7
-    # For off = 0 the second term is u itself.
-    expected = SIZE * (chords[0] + (chords[1] / ratio if ratio else 0.5 * (upper - lower)))
-    assert expected < relay.reach((lower, upper)) == pytest.approx(expected, rel=4e-9)
+@pytest.mark.parametrize(("lower", "upper"), [(0.05, 0.1), (0.3, 0.5), (0.9, 0.99)])
+def test_bounds_of_a_relay_with_thresholds_are_not_far_off(relay: Relay, lower: float, upper: float) -> None:
+    """It turns on and off on circles of its own, whose parts may cancel in N but do not in its bounds."""
+    amplitude = relay.amplitude_scale / np.linspace(lower, upper, 801)
+    slopes, values = relay.derivatives(amplitude).by_u, relay.describing_function(amplitude)
+    middle = relay.describing_function(2.0 * relay.amplitude_scale / (lower + upper))
+    found = relay.sensitivity((lower, upper)).by_u, relay.reach((lower, upper))
+    for bound, largest in zip(found, (abs(slopes).max(), abs(values - middle).max()), strict=True):
+        assert 1.0 - 1e-9 <= bound / largest < 2.0
+    spread = relay.variation((lower, upper)).by_u / abs(slopes[:, None] - slopes).max()
+    assert 1.0 - 1e-9 <= spread < 9.0
+    arrays = relay.sensitivity((np.array([[lower], [0.01]]), np.array([upper, 1.7]))).by_u
+    assert arrays.shape == (2, 2) and arrays[0, 0] == found[0]
+    assert arrays[0, 1] == relay.sensitivity((lower, 1.0)).by_u > 1e7
 
 
 def test_beyond_the_threshold_only_a_relay_without_hysteresis_has_a_reach() -> None:
@@ -82,7 +60,7 @@ def test_beyond_the_threshold_only_a_relay_without_hysteresis_has_a_reach() -> N
         assert reach[0] == math.inf
         assert reach[1] < 10.0
     # The middle 0.9 has asin 0.9, from which asin 1 is as far as its cosine says.
-    expected = 2.0 * SIZE * math.sqrt(1 - 0.9**2)
+    expected = 2.0 * (6.0 / (math.pi * 0.7)) * math.sqrt(1 - 0.9**2)
     assert RELAYS[3].reach((0.7, 1.1)) == pytest.approx(expected, rel=3e-9)
 
 
@@ -155,6 +133,16 @@ def test_an_element_without_bounds_says_so_in_the_shape_of_what_is_asked() -> No
         assert [np.shape(each) for each in found] == [(2, 3), (2, 3)]
         assert all(np.isinf(each).all() for each in found)
     assert (element.has_bounds, element.depends_on_frequency, element.domain()) == (False, False, math.inf)
+
+
+def test_a_load_passes_the_mean_and_friction_does_not() -> None:
+    play, relay, amplitudes = ViscousBacklash(1.0, 0.2), Relay(1.0), np.array([1.3, 5.0])
+    assert (FrictionBacklash(1.0).mean_gain(1.3), play.at(3.0).mean_gain(0.9)) == (1.0, 1.0)
+    assert CoulombFriction(2.0).mean_gain(1.0) == 0.0
+    assert play.mean_gain(amplitudes).tolist() == [1.0, 1.0]
+    assert ViscousFriction(2.0).mean_gain(amplitudes).tolist() == [0.0, 0.0]
+    together = (2.0 * play - 0.5 * relay + CoulombFriction(1.0)).mean_gain(amplitudes)
+    np.testing.assert_allclose(together, 2.0 - 0.5 * relay.mean_gain(amplitudes), rtol=1e-15)
 
 
 @pytest.mark.parametrize("threshold", [4e-5, 1.0])

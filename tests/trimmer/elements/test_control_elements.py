@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import control
 import matplotlib
 import numpy as np
@@ -92,37 +90,6 @@ def test_they_are_taken_wherever_an_element_is() -> None:
 
 def test_one_without_a_formula_is_integrated() -> None:
     assert ControlElement(Cubic()).describing_function([2.0, 4.0]) == pytest.approx([3.0, 12.0], rel=1e-12)
-
-
-@pytest.mark.filterwarnings("ignore")
-def test_only_odd_ones_are_taken() -> None:
-    class OddOnAGrid(Cubic):
-        """Be odd at the phases that python-control samples, at any amplitude that is a power of two."""
-
-        def __call__(self, x):
-            size = 2.0 ** math.floor(math.log2(abs(x))) if x else 1.0
-            turns = math.asin(abs(x) / (2.0 * size)) / (2.0 * math.pi) * 100
-            return x + (0.1 * abs(x) if abs(turns - round(turns)) > 1e-6 else 0.0)
-
-    for peer in (control.saturation_nonlinearity(1.0, -0.5), OddOnAGrid()):
-        with pytest.raises(UnsupportedElementError, match=r"is not odd, at the input"):
-            harmonic_balance(PLANT, peer)
-
-    class Biased(control.relay_hysteresis_nonlinearity):
-        def __call__(self, x):
-            return super().__call__(x) + 0.01
-
-    with pytest.raises(UnsupportedElementError, match=r"is not odd, at the input"):
-        ControlElement(Biased(1.0, 0.1))
-
-
-def test_a_formula_that_is_not_that_of_the_output_is_told() -> None:
-    class Wrong(control.saturation_nonlinearity):
-        def describing_function(self, A):
-            return 1.1 * super().describing_function(A)
-
-    doubts = harmonic_balance(PLANT, Wrong(0.5)).certificate.doubts
-    assert any("is not that of its output at the amplitude" in doubt for doubt in doubts)
 
 
 def test_something_else_is_refused() -> None:

@@ -184,7 +184,30 @@ def test_an_output_may_be_even_by_a_millionth(share: float, odd: bool) -> None:
                 ControlElement(peer)
 
 
-@pytest.mark.parametrize(("least", "most"), [(0.0, 1e-10), (1e10, math.inf)])
-def test_what_is_even_at_tiny_or_huge_inputs_only_is_refused_too(least: float, most: float) -> None:
+def odd_on_a_grid(x: float) -> float:
+    """Be odd at the phases that python-control samples, at any amplitude that is a power of two."""
+    size = 2.0 ** math.floor(math.log2(abs(x))) if x else 1.0
+    turns = math.asin(abs(x) / (2.0 * size)) / (2.0 * math.pi) * 100
+    return x + (0.1 * abs(x) if abs(turns - round(turns)) > 1e-6 else 0.0)
+
+
+class Biased(control.relay_hysteresis_nonlinearity):
+    def __call__(self, x):
+        return super().__call__(x) + 0.01
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize(
+    "peer",
+    [
+        of(lambda x: x + 0.1 * abs(x) * (abs(x) < 1e-10)),
+        of(lambda x: x + 0.1 * abs(x) * (abs(x) > 1e10)),
+        of(odd_on_a_grid),
+        of(lambda x: min(max(x, -0.5), 1.0)),
+        Biased(1.0, 0.1),
+    ],
+    ids=["tiny", "huge", "between", "one side", "biased"],
+)
+def test_what_is_even_at_some_inputs_only_is_refused_too(peer) -> None:
     with pytest.raises(UnsupportedElementError, match="is not odd, at the input"):
-        ControlElement(of(lambda x: x + 0.1 * abs(x) * (least < abs(x) < most)))
+        ControlElement(peer)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable
 
 import mpmath
 import numpy as np
@@ -40,61 +39,54 @@ RELAYS = [element for element in ELEMENTS if isinstance(element, Relay)]
 amplitudes = st.floats(-3, 3).map(lambda exponent: 1.0 + 10**exponent)
 
 
-def law(element: Element, amplitude: mpf) -> tuple[list[mpf], Callable[[mpf], mpf]]:
-    """Return phases from 0 to 2π between which the output is smooth, and the output, from the definitions."""
-    pi = mpmath.pi
+def output(element: Element, x: mpf, rising: bool) -> mpf:
+    """What it gives for an input that rises or falls, from the definitions."""
     match element:
-        case Saturation(threshold, slope) | DeadZone(threshold, slope):
-            corner = mpmath.asin(threshold / amplitude)
-
-            def clipped(theta: mpf) -> mpf:
-                x = amplitude * mpmath.sin(theta)
-                inside = max(min(x, mpf(threshold)), -mpf(threshold))
-                return slope * (inside if isinstance(element, Saturation) else x - inside)
-
-            return [mpf(0), corner, pi - corner, pi + corner, 2 * pi - corner, 2 * pi], clipped
+        case Saturation(threshold, slope):
+            return slope * max(min(x, threshold), -threshold)
+        case DeadZone(threshold, slope):
+            return slope * (x - max(min(x, threshold), -threshold))
         case Preload(level, slope):
-            return [
-                mpf(0),
-                pi,
-                2 * pi,
-            ], lambda t: slope * amplitude * mpmath.sin(t) + (level if t < pi else -level)
+            return slope * x + (level if x > 0 else -level)
         case Relay(level, hysteresis, dead_zone):
-            on, off = (mpf(dead_zone) + side * mpf(hysteresis) for side in (1, -1))
-            start, end = mpmath.asin(on / amplitude), pi - mpmath.asin(off / amplitude)
-
-            def switched(theta: mpf) -> mpf:
-                # One period of which the first part is the end of the negative output, if off < 0.
-                for turn in (0, 2 * pi):
-                    if start <= theta + turn < end:
-                        return mpf(level)
-                    if start - pi <= theta - turn < end - pi or start + pi <= theta + turn < end + pi:
-                        return mpf(-level)
-                return mpf(0)
-
-            places = [start, end, start + pi, end + pi]
-            return sorted(
-                {mpf(0), 2 * pi, *(place - 2 * pi if place > 2 * pi else place for place in places)}
-            ), switched
+            on, off = dead_zone + hysteresis, dead_zone - hysteresis
+            if x > (on if rising else off):
+                return level
+            return -level if x < (-off if rising else -on) else 0.0
     raise AssertionError
+
+
+def corners(element: Element) -> tuple[float, ...]:
+    """Sizes of the input at which the output bends or jumps."""
+    match element:
+        case Relay(_, hysteresis, dead_zone):
+            return dead_zone + hysteresis, abs(dead_zone - hysteresis)
+        case Preload():
+            return ()
+    return (element.threshold,)  # type: ignore[attr-defined]
 
 
 def by_quadrature(element: Element, amplitude: float, harmonic: int) -> mpc:
     """Integrate the output times exp(-jnθ) over the whole period, in pieces of at most about a turn each."""
     with mpmath.workdps(32):
-        exact = mpf(amplitude)
-        cuts, output = law(element, exact)
-        total = mpc(0)
-        for start, end in itertools.pairwise(cuts):
-            parts = 1 + int(harmonic * (end - start) / 20)
+        turn, total = mpmath.pi, mpc(0)
+        places = [mpf(0), *(mpmath.asin(each / mpf(amplitude)) for each in corners(element))]
+        cuts = {0.5 * turn, 1.5 * turn, 2 * turn}
+        cuts.update(side for each in places for side in (each, turn - each, turn + each, 2 * turn - each))
+        for start, end in itertools.pairwise(sorted(cuts)):
             middle = (start + end) / 2
-            level = output(middle) if isinstance(element, Relay) else None
-            total += mpmath.quad(
-                lambda t, level=level: (output(t) if level is None else level) * mpmath.expj(-harmonic * t),
-                mpmath.linspace(start, end, parts + 1),
-                method="gauss-legendre",
-            )
-        return 1j / (mpmath.pi * exact) * total
+            rising = mpmath.cos(middle) > 0
+            level = output(element, amplitude * mpmath.sin(middle), rising)
+
+            def turned(t: mpf, rising: bool = rising, level: mpf = level) -> mpc:
+                # A relay gives one number in each piece, whatever rounding makes of its ends.
+                x = amplitude * mpmath.sin(t)
+                now = level if isinstance(element, Relay) else output(element, x, rising)
+                return now * mpmath.expj(-harmonic * t)
+
+            parts = mpmath.linspace(start, end, 2 + int(harmonic * (end - start) / 20))
+            total += mpmath.quad(turned, parts, method="gauss-legendre")
+        return 1j / (turn * amplitude) * total
 
 
 @pytest.mark.parametrize("element", quick(ELEMENTS, 1, 2, 5), ids=repr)
@@ -114,19 +106,6 @@ def test_harmonics_next_to_the_threshold_keep_their_digits(element: Element) -> 
         value = complex(element.describing_function(amplitude, harmonic=harmonic))
         exact = by_quadrature(element, amplitude, harmonic)
         assert abs(value - exact) < 1e-13 * abs(exact)
-
-
-@pytest.mark.parametrize("element", ELEMENTS, ids=repr)
-def test_the_waveform_has_the_harmonics_and_is_odd(element: Element) -> None:
-    phases = (np.arange(20_000) + 0.5) * (2.0 * np.pi / 20_000)
-    for amplitude in (1.3, 4.0):
-        output = element.waveform(phases, amplitude)
-        np.testing.assert_allclose(element.waveform(phases + np.pi, amplitude), -output, rtol=1e-6, atol=1e-9)
-        for harmonic in (1, 2, 3, 7):
-            summed = 2j * np.mean(output * np.exp(-1j * harmonic * phases)) / amplitude
-            assert element.describing_function(amplitude, harmonic=harmonic) == pytest.approx(
-                summed, abs=1e-3
-            )
 
 
 @pytest.mark.parametrize("element", [*ELEMENTS, Relay(2.0)], ids=repr)
@@ -186,27 +165,16 @@ def test_the_area_of_the_loops_is_the_imaginary_part(relay: Relay, amplitude: fl
         assert value.imag * -np.pi * amplitude**2 == pytest.approx(area, rel=1e-9, abs=0.0)
 
 
-@pytest.mark.parametrize("element", ELEMENTS, ids=repr)
+@pytest.mark.parametrize("element", [*ELEMENTS, Relay(2.0)], ids=repr)
 def test_the_mean_gain_is_the_slope_of_the_mean_output(element: Element) -> None:
-    """The output over a period is computed from a biased input with the definitions, step by step."""
-    amplitude, bias, steps = 1.7, 1e-2, 40_000
+    """The output over a period of a biased input, step by step."""
+    amplitude, bias, steps = 1.7, 1e-2, 20_000
     phases = (np.arange(steps) + 0.5) * (2.0 * np.pi / steps)
 
     def mean(offset: float) -> float:
-        given = offset + amplitude * np.sin(phases)
-        match element:
-            case Relay(level, hysteresis, dead_zone):
-                on, off = dead_zone + hysteresis, dead_zone - hysteresis
-                rising = np.cos(phases) > 0
-                up = (given > on) | (~rising & (given > off))
-                down = (given < -on) | (rising & (given < -off))
-                return float(level * (up.mean() - down.mean()))
-            case Preload(level, slope):
-                return float((slope * given + level * np.sign(given)).mean())
-            case Saturation(threshold, slope) | DeadZone(threshold, slope):
-                inside = np.clip(given, -threshold, threshold)
-                return float(slope * (inside if isinstance(element, Saturation) else given - inside).mean())
-        raise AssertionError
+        given = (offset + amplitude * np.sin(phases)).tolist()
+        rises = (np.cos(phases) > 0).tolist()
+        return sum(output(element, x, rising) for x, rising in zip(given, rises, strict=True)) / steps
 
     slope = (mean(bias) - mean(-bias)) / (2.0 * bias)
     assert element.mean_gain(amplitude) == pytest.approx(slope, rel=0.05, abs=0.02)

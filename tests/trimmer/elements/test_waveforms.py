@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from trimmer import CoulombFriction, FrictionBacklash, InertiaBacklash, Relay, ViscousBacklash
-from trimmer.elements import Element, ViscousFriction
+from trimmer.elements import DeadZone, Element, Preload, Saturation, ViscousFriction
 
 GAP = 4e-5
 OMEGA = 4000.0
@@ -19,6 +19,10 @@ ELEMENTS: tuple[Element, ...] = (
     Relay(2.0),
     ViscousFriction(0.5),
     2.0 * FrictionBacklash(GAP) - Relay(1e-5),
+    Saturation(GAP / 2, 0.5),
+    DeadZone(GAP / 2, 0.5),
+    Preload(1e-5, 0.25),
+    *(Relay(2.0, hysteresis, GAP / 2 - hysteresis) for hysteresis in (GAP / 2, 0.0, GAP / 8, 3 * GAP / 8)),
 )
 PHASES = np.linspace(0, 2 * np.pi, 40001)[:-1]
 
