@@ -150,7 +150,7 @@ def _smallest_amplitude(element: Element) -> float:
             return element.threshold
         case FrictionBacklash():
             return 0.5 * element.gap
-        case ViscousFriction():
+        case ViscousFriction() | CoulombFriction():
             return 0.0
     raise TypeError(element)
 
@@ -166,7 +166,7 @@ SHARES = np.concatenate([np.geomspace(1e-7, 0.3, AMPLITUDES // 3), 1 - np.geomsp
 def _in_the_plane(loop: WideLoop) -> list[Found]:
     omega = frequencies(loop.response, OMEGAS, BEYOND / 100.0)
     shares, kind = SHARES[:, None], loop.kind
-    coasting = kind in {Kind.CARRIED, Kind.THROWN, Kind.FROZEN}
+    coasting = kind in {Kind.CARRIED, Kind.CARRIED_AND_RUBBING, Kind.THROWN, Kind.FROZEN}
 
     def amplitude_of(share: Reals, omega: Reals) -> Reals:
         if coasting:

@@ -244,6 +244,35 @@ def test_next_to_a_double_integrator_a_relay_with_hysteresis_has_its_limit_cycle
     assert balance.confirmed
 
 
+@pytest.mark.parametrize("size", [1.0, 1e-9, 1e7])
+def test_a_range_is_proven_by_the_phase_of_few_roots(size: float) -> None:
+    """With t = omega/size the phase of (1 + jt)**n is n t but for n t**3/(3 - 3 t**2); 1/2 is tried first.
+
+    Where f starts out real and positive, as for 1/(s+1)**3 with a relay, it is enough that this is below pi;
+    at high frequency f is imaginary, and 1.5 + 0.17 is not below pi/2, so that t = 1/4 is the first. Where it
+    starts out real and negative, as for -1/(s+1)**2, the phase leaves pi at once, and is not there again. For
+    -(s+1.1)/(s(s+1)) with friction it does so too, but with 0.09 t, which the remainder is below at t = 1/4.
+    """
+    for system, element, ends in (
+        (control.tf([size**3], np.poly([-size] * 3)), Relay(1.0), (0.5, 4.0)),
+        (control.tf([-(size**2)], np.poly([-size] * 2)), Relay(1.0), (0.5, 2.0)),
+        (control.tf([-1.0, -1.1 * size], [1.0, size, 0.0]), CoulombFriction(1.0), (0.25, 4.4)),
+    ):
+        certificate = harmonic_balance(system, element).certificate
+        assert certificate.omegas == pytest.approx(size * np.array(ends), rel=1e-4)
+        assert certificate.outside_excluded
+
+
+@pytest.mark.parametrize(("sign", "end", "omega"), [(-1.0, 0, 2e-6), (1.0, 1, 2e6)])
+def test_where_nothing_is_proven_it_is_looked_a_million_times_beyond_the_roots(
+    sign: float, end: int, omega: float
+) -> None:
+    """-1/(s**2 + 4) is real and positive at low frequencies, 1/(s**2 + 4) real and negative at high ones."""
+    certificate = harmonic_balance(sign / (s**2 + 4), Relay(1.0)).certificate
+    assert certificate.omegas[end] == pytest.approx(omega, rel=1e-9)
+    assert not certificate.outside_excluded
+
+
 def test_only_beyond_a_range_that_was_not_given_limit_cycles_may_be_missing() -> None:
     """The phase of (s + 3)/(s + 1)**3 nears -180 degrees with the third power of 1/w: no bound shows it."""
     system = (s + 3) / (s + 1) ** 3

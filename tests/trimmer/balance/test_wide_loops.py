@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable
 
 import control
 import mpmath
 import numpy as np
 import pytest
 
-from tests.quick import quick
 from tests.trimmer.balance.fuzz import Outcome, judged
-from tests.trimmer.balance.independent import PROPORTIONAL
 from tests.trimmer.balance.wide_loops import Kind, wide_loop
 from trimmer import ClosedLoop, CoulombFriction, Relay, harmonic_balance, limit_cycles
 
@@ -99,7 +96,7 @@ def test_a_first_or_last_coefficient_that_is_rounding_is_a_doubt() -> None:
         assert not certificate.outside_excluded or not certificate.complete
 
 
-def outcomes(seed: int, places: Iterable[int]) -> Counter[Outcome]:
+def outcomes(seed: int, places: range) -> Counter[Outcome]:
     """Judge loops; none is missed, false or crashes."""
     counts: Counter[Outcome] = Counter()
     for place in places:
@@ -110,17 +107,9 @@ def outcomes(seed: int, places: Iterable[int]) -> Counter[Outcome]:
     return counts
 
 
-def test_no_limit_cycle_of_relays_and_frictions_is_missed() -> None:
-    """The amplitude is eliminated, which is fast, and so is brute force along the axis."""
-    places = [place for place in range(150) if wide_loop((7, place)).kind in PROPORTIONAL]
-    assert outcomes(7, places)[Outcome.COMPLETE] == len(places) > 30
-
-
-@pytest.mark.parametrize("count", quick([6, 50], 0))
-def test_no_limit_cycle_of_random_loops_is_missed(count: int) -> None:
-    counts = outcomes(23, range(count))
-    assert counts[Outcome.COMPLETE] >= 0.8 * count
-    assert count < 50 or {wide_loop((23, place)).kind for place in range(count)} == set(Kind)
+def test_no_limit_cycle_of_random_loops_is_missed() -> None:
+    assert outcomes(23, range(100))[Outcome.COMPLETE] >= 80
+    assert {wide_loop((23, place)).kind for place in range(50)} == set(Kind)
 
 
 @pytest.mark.slow

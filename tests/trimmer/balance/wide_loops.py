@@ -95,8 +95,10 @@ class Kind(Enum):
     TWO_CORNERS = auto()
     PLAY = auto()
     PLAY_AND_DAMPING = auto()
+    PLAY_AND_FRICTION = auto()
     TWO_PLAYS = auto()
     CARRIED = auto()
+    CARRIED_AND_RUBBING = auto()
     THROWN = auto()
     FROZEN = auto()
 
@@ -222,10 +224,17 @@ _ELEMENTS: dict[Kind, Callable[[_Drawn], Element]] = {
     Kind.PLAY_AND_DAMPING: lambda of: (
         of.stiffness * FrictionBacklash(of.some_size) + ViscousFriction(of.damping)
     ),
+    Kind.PLAY_AND_FRICTION: lambda of: (
+        of.stiffness * FrictionBacklash(of.some_size) + CoulombFriction(of.some_force)
+    ),
     Kind.TWO_PLAYS: lambda of: (
         of.stiffness * FrictionBacklash(of.some_size) + of.stiffness * FrictionBacklash(of.some_size)
     ),
     Kind.CARRIED: lambda of: of.stiffness * ViscousBacklash(of.some_size, of.lag),
+    Kind.CARRIED_AND_RUBBING: lambda of: (
+        of.stiffness * ViscousBacklash(of.some_size, of.lag)
+        + (CoulombFriction(of.some_force) + ViscousFriction(of.damping))
+    ),
     Kind.THROWN: lambda of: of.stiffness * InertiaBacklash(of.some_size),
     Kind.FROZEN: lambda of: of.stiffness * ViscousBacklash(of.some_size, of.lag).at(of.omega),
 }
