@@ -66,6 +66,14 @@ def test_the_error_falls_with_the_order_of_three_elements() -> None:
     approaches(THREE, (1, 5, 11, 21), 0.5)
 
 
+def test_an_element_written_as_a_sum_of_multiples_balances_alike() -> None:
+    written = positioner(amplifier=50 * Relay(0.01) + Relay(0.5), rub=2 * CoulombFriction(0.025))
+    loops = (LOOPS["relay and friction"], written)
+    (one,), (other,) = (feedback_balance(loop, (0.5, 20.0), order=1).motions for loop in loops)
+    assert other.period == pytest.approx(one.period, rel=1e-9)
+    assert other.amplitudes == pytest.approx(one.amplitudes, rel=1e-8)
+
+
 def test_of_one_element_and_one_harmonic_it_is_the_prediction() -> None:
     # 4/(s (s + 1)^2) with a saturation: A = 2.4754 at 1 rad/s.
     plant = control.ss(control.tf([-4.0], [1, 2, 1, 0]), inputs=["limit"], outputs=["limit"])
