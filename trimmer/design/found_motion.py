@@ -109,11 +109,6 @@ class FoundMotion:
         found = {name: each.advance for name, each in moving.items()}
         return {name: each for name, each in found.items() if abs(each) > ROUNDING * largest}
 
-    @property
-    def impact_speed(self) -> float:
-        """The largest speed at which any contact is made, m/s; 0 without one."""
-        return max((each.impact_speed for each in self.contacts.values()), default=0.0)
-
     def measure(self, measure: Measure, part: str) -> float:
         """Return a measure, SI unit; infinite for the period of what does not repeat."""
         match measure:

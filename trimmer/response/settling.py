@@ -135,7 +135,9 @@ class Settling:
     def _looked_for(self) -> Orbit | None:
         together = self.flow.modes.system.layout.recurrence
         if not together:  # Its drives never return together.
-            self.rest = self._rest() if self._quiet else None
+            if self._quiet:
+                sizes = sizes_of(self.flow.course(self.instant, 1))
+                self.rest = sampled_rest(self.flow, self.instant, sizes)
             return None
         late = -self.instant.periods % together
         if late and not self.follow(late):
@@ -162,12 +164,6 @@ class Settling:
                 if settles_to(orbit, self.states):
                     return orbit
         return None
-
-    def _rest(self) -> Rest | None:
-        """Return where it rests under samples."""
-        if self.flow.modes.system.clockwork is None:
-            return None
-        return sampled_rest(self.flow, self.instant, sizes_of(self.flow.course(self.instant, 1)))
 
     def _orbit(self, periods: int, state: Reals) -> Orbit | None:
         """Return the orbit that Newton's method finds from a state, over its smallest number of periods."""
