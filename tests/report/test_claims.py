@@ -11,7 +11,7 @@ from pathlib import Path
 from report.data.statements import PATH
 from report.judging.claim import Uncheckable
 from report.judging.comparisons.expression import SameExpression, SameMatrix
-from report.judging.verdict import Impact
+from report.judging.verdict import Impact, Verdict
 
 REVIEWED = Path(PATH).with_name("reviewed_verdicts.csv")
 
@@ -64,6 +64,16 @@ def test_each_part_has_its_reviewed_verdict(findings):
         claim_id: row["parts"] or f"{len(verdicts[claim_id])} {row['verdict']}"
         for claim_id, row in ROWS.items()
     }
+
+
+def test_a_slip_that_is_named_gives_what_is_printed(claims, findings):
+    """One that gives something else would be left out without a word."""
+    assert [
+        (claim_id, part.label)
+        for claim_id, claim in claims.items()
+        for part, found in zip(claim.parts, findings[claim_id].parts, strict=True)
+        if not isinstance(part, Uncheckable) and part.slip and found.verdict is Verdict.ERRATUM and not found.slip
+    ] == []
 
 
 def test_every_part_names_two_ways_or_the_text_that_was_read(claims):
