@@ -400,9 +400,10 @@ class ValueChange:
 
     def _place_of(self, jump: Jump, first: int) -> tuple[int, int]:
         """Return in which mode an event function is, and its number there: of the first mode that has it."""
-        for mode in (jump.before, first):
-            for number, own in enumerate(self.course.modes[mode].functions):
-                # A mode of a large system may have been assembled anew in between.
-                if own is jump.function or identity(own) == identity(jump.function):
-                    return mode, number
-        raise AssertionError("an event function is of the mode before its event")
+        # A mode of a large system may have been assembled anew in between.
+        return next(
+            (mode, number)
+            for mode in (jump.before, first)
+            for number, own in enumerate(self.course.modes[mode].functions)
+            if own is jump.function or identity(own) == identity(jump.function)
+        )
