@@ -135,9 +135,7 @@ class Settling:
     def _looked_for(self) -> Orbit | None:
         together = self.flow.modes.system.layout.recurrence
         if not together:  # Its drives never return together.
-            if self._quiet:
-                sizes = sizes_of(self.flow.course(self.instant, 1))
-                self.rest = sampled_rest(self.flow, self.instant, sizes)
+            self.rest = self._rest() if self._quiet else None
             return None
         late = -self.instant.periods % together
         if late and not self.follow(late):
@@ -164,6 +162,10 @@ class Settling:
                 if settles_to(orbit, self.states):
                     return orbit
         return None
+
+    def _rest(self) -> Rest | None:
+        """Return where it rests, if nothing moves."""
+        return sampled_rest(self.flow, self.instant, sizes_of(self.flow.course(self.instant, 1)))
 
     def _orbit(self, periods: int, state: Reals) -> Orbit | None:
         """Return the orbit that Newton's method finds from a state, over its smallest number of periods."""
