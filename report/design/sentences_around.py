@@ -10,7 +10,7 @@ import numpy as np
 from report.design.pictures import important
 from report.design.quantities import percent, place_words, shown, written
 from report.design.sentences import places_listed
-from report.design.words import SPECIAL, capital, count, measure_words
+from report.design.words import SPECIAL, capital, count, counted_in, measure_words
 from report.pages.escaping import Markdown, markdown
 from trimmer.branches.branch import BranchEnd
 from trimmer.design.design import Design
@@ -20,6 +20,7 @@ from trimmer.design.sensitivity import Sensitivity
 from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart
 from trimmer.maps.cells import described
+from trimmer.response.pace import period_word
 from trimmer.response.response import MotionKind
 
 
@@ -43,10 +44,11 @@ def _cell_words(drawn: DesignMap) -> str:
     column = int(np.argmin(abs(columns - drawn.first.value)))
     row = int(np.argmin(abs(rows - drawn.second.value)))
     motion = drawn.result.cells[row * len(columns) + column].motions[0]
+    word = period_word(drawn.result.inputs.subject)
     return {
         MotionKind.TORUS: "one that beats and never quite repeats",
         MotionKind.REST: "rest, in which nothing moves",
-        MotionKind.CHAOTIC: f"chaotic for all of the {motion.periods} drive periods",
+        MotionKind.CHAOTIC: f"chaotic for all of the {counted_in(word, motion.periods)}",
         MotionKind.DIVERGING: "one that grows without bound",
         MotionKind.UNDECIDED: "not known, because the motion had not settled",
     }.get(motion.kind, f"of {described(motion)}")

@@ -11,12 +11,14 @@ import numpy as np
 
 from report.design.quantities import Scale, place_words, scale_for
 from report.design.sentences import left_out
-from report.design.words import bound_words, capital, count, measure_words
+from report.design.words import bound_words, capital, count, counted_in, measure_words
 from report.pages.explorable import Panel, Slider
 from trimmer.design.design import Design
+from trimmer.design.design_file import DesignFile
 from trimmer.design.solved_grid import GridMotion, SolvedGrid
 from trimmer.design.targets import Measure, Target
 from trimmer.messages import listed
+from trimmer.response.pace import DRIVE_PERIOD, period_word
 from trimmer.response.response import MotionKind
 
 LEVELS = 999
@@ -97,7 +99,7 @@ def _told(design: Design, grid: SolvedGrid) -> str:
         "spectra": not design.file.switched,
         "scales": [1 / scale.factor for _, scale in signals],
         "targets": [_target(each) for each in grid.targets],
-        "motions": [_motion(grid, each, design.file.switched) for each in grid.motions],
+        "motions": [_motion(grid, each, design.file) for each in grid.motions],
     }
     # In a script "<" might begin the end of it.
     return json.dumps(table, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
@@ -117,7 +119,7 @@ def _target(target: Target) -> dict[str, Any]:
     }
 
 
-def _motion(grid: SolvedGrid, motion: GridMotion, switched: bool) -> list[Any]:
+def _motion(grid: SolvedGrid, motion: GridMotion, file: DesignFile) -> list[Any]:
     """Return what the script shows of a motion, as a list without names, since there are hundreds."""
     met = [target.met_by(value) for target, value in zip(grid.targets, motion.measures, strict=True)]
     if motion.kind is None:
@@ -125,7 +127,7 @@ def _motion(grid: SolvedGrid, motion: GridMotion, switched: bool) -> list[Any]:
     if motion.kind is MotionKind.DIVERGING or not np.isfinite(motion.curves).all():
         return [ENDLESS]
     return [
-        _kind(motion, switched),
+        _kind(motion, file),
         [_kept(each) for each in motion.measures],
         [int(each) for each in met],
         _kept(motion.duration),
@@ -134,15 +136,17 @@ def _motion(grid: SolvedGrid, motion: GridMotion, switched: bool) -> list[Any]:
     ]
 
 
-def _kind(motion: GridMotion, switched: bool) -> str:
-    if switched:
+def _kind(motion: GridMotion, file: DesignFile) -> str:
+    if file.switched:
         return "it comes to rest" if motion.kind is MotionKind.REST else "it was not seen to rest"
+    word = period_word(file.mechanism)
     if motion.period_count:
-        return f"it repeats after {count(motion.period_count, 'drive period')}"
+        return f"it repeats after {counted_in(word, motion.period_count)}"
+    lines = f"lines are those at multiples of the {'drive' if word == DRIVE_PERIOD else 'sampling'}"
     return {
-        MotionKind.TORUS: "it beats and never quite repeats; lines are those at multiples of the drive",
+        MotionKind.TORUS: f"it beats and never quite repeats; {lines}",
         MotionKind.REST: "nothing moves",
-        MotionKind.CHAOTIC: "it is chaotic; lines are those at multiples of the drive",
+        MotionKind.CHAOTIC: f"it is chaotic; {lines}",
     }.get(motion.kind or MotionKind.UNDECIDED, "it had not settled when the wait was over")
 
 

@@ -16,6 +16,7 @@ from report.design.words import (
     change_words,
     changes_words,
     count,
+    counted_in,
     kind_words,
     measure_value,
     measure_words,
@@ -32,6 +33,7 @@ from trimmer.design.targets import Measure, unit_of_measure
 from trimmer.design.trial import all_measures
 from trimmer.mechanism.parts import COUPLINGS
 from trimmer.messages import listed
+from trimmer.response.pace import DRIVE_PERIOD
 
 Rows = list[list[str]]
 DASH = "—"
@@ -278,19 +280,20 @@ def line_rows(spectrum: OutputSpectrum) -> Rows:
             _value(line.frequency, "Hz", 4),
             _value(line.amplitude, spectrum.unit),
             percent(line.amplitude / largest),
-            _explained(line),
+            _explained(line, spectrum.period_word),
         ]
         for line in spectrum.lines
     ]
 
 
-def _explained(line: OutputLine) -> str:
+def _explained(line: OutputLine, period_word: str) -> str:
     ratio = f"{line.numerator}/{line.denominator}"
-    parity, periods = "odd" if line.numerator % 2 else "even", count(line.denominator, "drive period")
+    parity, repeats = "odd" if line.numerator % 2 else "even", counted_in(period_word, line.denominator)
+    drive = "the drive" if period_word == DRIVE_PERIOD else "the sampling"
     what = {
-        LineKind.DRIVE: "the drive",
-        LineKind.HARMONIC: f"harmonic {line.numerator} of the drive ({parity})",
-        LineKind.FRACTION: f"{ratio} of the drive: the motion repeats after {periods}",
+        LineKind.DRIVE: drive,
+        LineKind.HARMONIC: f"harmonic {line.numerator} of {drive} ({parity})",
+        LineKind.FRACTION: f"{ratio} of {drive}: the motion repeats after {repeats}",
         LineKind.OWN: f"harmonic {line.numerator} of the motion’s own frequency"
         if line.numerator > 1
         else "the motion’s own frequency",

@@ -58,7 +58,12 @@ def count(number: int, noun: str) -> str:
 
 def periods(motion: FoundMotion, number: int) -> str:
     """Return a number of what is counted of a motion, as ``24 drive periods`` or ``24 samples``."""
-    head, *tail = motion.period_word.split(" of ")
+    return counted_in(motion.period_word, number)
+
+
+def counted_in(word: str, number: int) -> str:
+    """Return a number of drive periods or of samples, as their word says."""
+    head, *tail = word.split(" of ")
     return " of ".join([count(number, head), *tail])
 
 

@@ -19,7 +19,7 @@ from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 from trimmer.response.closings import Closing
 from trimmer.response.estimate import Estimate
 from trimmer.response.orbit import Orbit
-from trimmer.response.pace import period_word
+from trimmer.response.pace import DRIVE_PERIOD, period_word
 from trimmer.response.response import MotionKind, SettledMotion
 from trimmer.response.step import StepResponse
 from trimmer.response.switching import switching
@@ -91,7 +91,7 @@ class FoundMotion:
     events: float
     signals: MotionSignals
     driven: bool = True
-    period_word: str = "drive period"
+    period_word: str = DRIVE_PERIOD
     switched: Switched | None = None
     steps: Mapping[str, FoundStep] = field(default_factory=dict)
 

@@ -7,6 +7,7 @@ from enum import Enum
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.linear import LinearMode, LinearState
 from trimmer.mechanism.linear.outputs import Contacts
+from trimmer.response.pace import DRIVE_PERIOD
 
 SMALLEST = 1e-4  # Amplitude of a line, relative to the largest, from which on it is listed
 MOST_LINES = 24  # Lines that are listed of an output, the largest
@@ -58,6 +59,7 @@ class OutputSpectrum:
         floor: Amplitude below which none is listed.
         share: Share of the output's mean square that the listed lines hold.
         unit: SI unit of the output.
+        period_word: What the motion is counted in: drive periods, or the samples that alone drive.
     """
 
     output: str
@@ -66,6 +68,7 @@ class OutputSpectrum:
     floor: float
     share: float
     unit: str = "m"
+    period_word: str = DRIVE_PERIOD
 
 
 def spectra(
@@ -73,12 +76,17 @@ def spectra(
 ) -> Mapping[str, OutputSpectrum]:
     """Explain the lines of each output of a motion by its drive, Hz, and by modes that may amplify them.
 
+    Without a frequency a period of what drives, as samples or a reference, follows from that of the motion.
+
     One that does not repeat has its harmonics alone.
     """
-    base = frequency if frequency is not None else (1 / motion.period if motion.period else None)
+    base = frequency
+    if base is None and motion.period:
+        base = (motion.period_count or 1) / motion.period
     if base is None:
         return {}
-    return {name: _of_output(motion, name, base, frequency is None, states) for name in motion.outputs}
+    by_itself = frequency is None and not motion.driven
+    return {name: _of_output(motion, name, base, by_itself, states) for name in motion.outputs}
 
 
 def _of_output(
@@ -95,7 +103,7 @@ def _of_output(
     held = sum(0.5 * line.amplitude**2 for line in lines)
     share = min(held / measures.rms**2, 1.0) if measures.rms else 1.0
     unit = motion.signals.units.get(name, "m")
-    return OutputSpectrum(name, lines, len(found) - len(lines), floor, share, unit)
+    return OutputSpectrum(name, lines, len(found) - len(lines), floor, share, unit, motion.period_word)
 
 
 def _line(

@@ -11,6 +11,8 @@ from trimmer.showing.shown import counted
 if TYPE_CHECKING:
     from trimmer.motion.subject import Subject
 
+DRIVE_PERIOD = "drive period"
+"""What is counted of whatever is driven by more than samples."""
 SAMPLES = 16
 """Samples in which a sampled machine does as much as another one in a period of its drive."""
 
@@ -23,7 +25,7 @@ def pace_of(subject: Subject) -> int:
 def period_word(subject: Subject) -> str:
     """Return what is counted: periods of a drive, or the samples that alone drive."""
     if not isinstance(subject, Mechanism) or not _only_samples(subject):
-        return "drive period"
+        return DRIVE_PERIOD
     return "sample" if len(set(clocks_in(subject).values())) == 1 else "period of the slowest samples"
 
 

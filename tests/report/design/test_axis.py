@@ -1,5 +1,6 @@
 """What the report says of an axis that hunts, and of one that rests."""
 
+import math
 import re
 
 import pytest
@@ -58,6 +59,33 @@ def test_what_samples_alone_drive_is_told_in_samples() -> None:
     assert "does not repeat and was measured over 96 samples" in pieces["verdict"]
     assert re.search(r"it was followed for [0-9]+ samples\.", pieces["motions"])
     assert not any("drive period" in pieces[name] for name in ("verdict", "motions"))
+
+
+def test_lines_of_what_samples_alone_drive_are_told_by_them() -> None:
+    """A relay in effect: the control is at its limit, and turns at samples 3, 6, 9 ..., every 1.5 s."""
+    text = """
+[bodies]
+mass = { mass = 1.0 }
+[links]
+damper = { between = ["ground", "mass"], damping = 1.0 }
+[outputs]
+x = { mass = 1 }
+[controllers.axis]
+kind = "pid"
+measure = "x"
+acts = ["ground", "mass"]
+kp = 100.0
+limit = 1.0
+sample = 0.5
+[start]
+mass = [0.3, 0.0]
+"""
+    pieces = told(text)
+    assert "of the sampling: the motion repeats after six samples" in pieces["spectrum"]
+    # The first harmonic of a square wave of 1 N at 1/3 Hz, through 1/(s (s + 1)).
+    s = 2j * math.pi / 3.0
+    assert f"{1e3 * abs(4 / math.pi / (s * (s + 1))):.3g} mm" in pieces["spectrum"]
+    assert not any("drive period" in each for each in pieces.values())
 
 
 @pytest.mark.parametrize("targets", quick(["", "[targets]\novershoot_at_most = 40\n"], 1))
