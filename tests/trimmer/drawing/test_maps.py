@@ -63,47 +63,10 @@ def test_each_cell_has_the_colour_that_the_legend_names(first: tuple[float, ...]
     assert [*axes.get_xlim(), *axes.get_ylim()] == pytest.approx([0.95, 1.55, 7.0, 11.0])
 
 
-def test_cells_reach_half_way_to_the_next_value_and_leave_no_gap() -> None:
-    axes = drawn_map().plot(new_axes())
-    for border in (1.05, 1.25):
-        assert colour_at(axes, (border - 1e-3, 8.9)) != colour_at(axes, (border + 1e-3, 8.9))
-    for first in np.linspace(0.951, 1.549, 24):
-        for second in (7.01, 8.9, 9.1, 10.9):
-            assert colour_at(axes, (first, second))
-
-
-def test_neighbours_of_one_kind_are_one_area() -> None:
-    kinds = [THREE[number] for number in (0, 0, 1, 1, 0, 0)]
-    axes = drawn_map(kinds=kinds).plot(new_axes())
-    areas = [each.get_path().vertices.reshape(-1, 5, 2) for each in axes.patches]
-    assert [len(each) for each in areas] == [2, 2]
-
-
 @pytest.mark.parametrize(("value", "ends"), [(3.0, (1.5, 4.5)), (0.0, (-0.5, 0.5))])
 def test_a_single_value_has_room_around_it(value: float, ends: tuple[float, float]) -> None:
     axes = drawn_map(((1.0, 1.1), (value,))).plot(new_axes())
     assert axes.get_ylim() == ends
-
-
-def test_axes_have_units_and_readable_numbers() -> None:
-    axes = drawn_map(values=((1.0, 1.1), (20e-6, 40e-6))).plot(new_axes())
-    axes.figure.canvas.draw()
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("frequency, Hz", "stops.wall.gap, µm")
-    assert "20" in [text.get_text() for text in axes.get_yticklabels()]
-
-
-def test_a_map_over_one_place_is_a_stroke_or_else_impacts() -> None:
-    drawn = drawn_map(((1.0, 1.1, 1.4),))
-    axes = drawn.plot(new_axes())
-    np.testing.assert_allclose(axes.collections[0].get_offsets().T, [[1.0, 1.1, 1.4], drawn.stroke[0]])
-    assert axes.get_ylabel().startswith("x, peak to peak, ")
-    assert tuple(legend(axes)) == NAMES
-    named = [to_hex(patch.get_facecolor()) for patch in patches(axes).values()]
-    assert [to_hex(each) for each in axes.collections[0].get_facecolor()] == named
-    bare = drawn_map(((1.0, 1.1, 1.4),), machine=replace(impact_oscillator(), outputs={}))
-    axes = bare.plot(new_axes())
-    np.testing.assert_allclose(axes.collections[0].get_offsets()[:, 1], bare.impacts[0])
-    assert axes.get_ylabel() == "impacts per drive period"
 
 
 def test_all_kinds_are_told_apart_without_colours_and_by_readers_without_red_or_green() -> None:
@@ -123,6 +86,13 @@ def test_all_kinds_are_told_apart_without_colours_and_by_readers_without_red_or_
             assert one.get_hatch() != kinds[other].get_hatch() or abs(greys[at] - greys[other]) > 0.1
     hatched = {each.get_hatch() for each in axes.patches if not each.get_fill()}
     assert {2 * each for each in hatched} == {each.get_hatch() for each in kinds if each.get_hatch()}
+
+
+def test_a_map_over_one_place_without_an_output_tells_impacts() -> None:
+    bare = drawn_map(((1.0, 1.1, 1.4),), machine=replace(impact_oscillator(), outputs={}))
+    axes = bare.plot(new_axes())
+    np.testing.assert_allclose(axes.collections[0].get_offsets()[:, 1], bare.impacts[0])
+    assert axes.get_ylabel() == "impacts per drive period"
 
 
 def test_curves_are_drawn_over_a_map_and_named_once() -> None:

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import control
 import numpy as np
 import pytest
 
 import trimmer
 from tests.trimmer.drawing.pictures import new_axes
-from trimmer.spectra import HarmonicFit
 
 
 @pytest.mark.parametrize("count", [8000, 8001, 300_001])
@@ -22,15 +20,6 @@ def test_many_samples_keep_their_extremes(count: int) -> None:
     assert (np.diff(kept) > 0).all()
     np.testing.assert_array_equal(drawn, values[np.rint(kept * 1000).astype(int)])
     assert (kept[0], kept[-1]) == axes.get_xlim() == (0.0, (count - 1) / 1000)
-
-
-def test_signals_of_a_response_are_drawn_by_their_names() -> None:
-    system = control.ss(-np.eye(2), np.eye(2), np.eye(2), np.zeros((2, 2)))
-    response = trimmer.linear.time_response(system, np.linspace(0, 1, 5), np.ones((2, 5)))
-    axes = response.plot(new_axes())
-    assert [each.get_label() for each in axes.lines] == ["input 1", "input 2", "output 1", "output 2"]
-    for line, values in zip(axes.lines, response.named.values(), strict=True):
-        np.testing.assert_array_equal(line.get_xydata().T, [response.time, values])
 
 
 @pytest.mark.parametrize("count", [8000, 8001, 30_000])
@@ -52,13 +41,3 @@ def test_nothing_is_drawn_too() -> None:
     assert axes.lines[0].get_xdata()[-1] == 500.0  # without a peak all is shown
     np.testing.assert_allclose(axes.lines[0].get_ydata(), 1e-7)
     assert analysis.harmonics.plot(new_axes()).lines[0].get_xydata().size == 0
-
-
-def test_harmonics_above_the_floor_have_a_stem() -> None:
-    fit = HarmonicFit(110.0, 0.0, np.array([3j, 1e-9, -0.5, 4e-7]), 0.0, 1.0)
-    axes = fit.plot(new_axes())
-    assert axes.lines[0].get_xydata().tolist() == [[1.0, 3.0], [3.0, 0.5], [4.0, 4e-7]]
-    ends = [each[:, 1].tolist() for each in axes.collections[0].get_segments()]
-    assert ends == [pytest.approx([3e-7, each]) for each in (3.0, 0.5, 4e-7)]
-    ticks = axes.xaxis.get_major_locator().tick_values(1.0, 4.0)
-    assert np.array_equal(ticks, np.round(ticks))

@@ -7,8 +7,6 @@ import pytest
 
 from trimmer.fitting.doubted_drive import doubts_of
 from trimmer.fitting.measured import MeasuredLines, measure_lines
-from trimmer.fitting.unknowns import Unknown
-from trimmer.fitting.weak import weak_directions
 from trimmer.signals import Signal, SignalError
 
 RATE, COUNT, DRIVE = 2000.0, 2000, 50.0
@@ -185,15 +183,3 @@ def test_records_that_cannot_be_used(signals: dict[str, Signal], told: str) -> N
     for by_itself, what in ((False, "drive"), (True, "vibration")):
         with pytest.raises(SignalError, match=told.replace("drive", what)):
             measure_lines(signals, DRIVE, DRIVE, None, by_itself)
-
-
-def test_weak_directions_are_those_of_small_singular_values() -> None:
-    unknowns = [Unknown(f"plays.p.{key}", "1", 1.0, True) for key in ("gap", "stiffness", "damping")]
-    jacobian = np.array([[50.0, 50.0, 0.0], [0.0, 0.0, 100.0], [1.0, -1.0, 0.0]])
-    (weak,) = weak_directions(unknowns, jacobian, 3.84)
-    assert weak.places == ("plays.p.gap", "plays.p.stiffness") or weak.places[::-1] == (
-        "plays.p.gap",
-        "plays.p.stiffness",
-    )
-    assert weak.chi_square == pytest.approx((2 * np.log(1.1)) ** 2)
-    assert "raising the" in weak.message and "by 10 %" in weak.message and "by 9.1 %" in weak.message
