@@ -19,14 +19,12 @@ from trimmer import (
     FollowSettings,
     SpecialKind,
     follow,
-    follow_special,
     limit_cycles,
     periodic_orbits,
     respond,
 )
 from trimmer.branches import BranchEnd
 from trimmer.elements import CoulombFriction, FrictionBacklash
-from trimmer.errors import UnsupportedMotionError
 from trimmer.linear import InputChannels, pin_model
 from trimmer.loops import BodyFriction, TrimmerLoop
 from trimmer.mechanism import Mechanism
@@ -187,11 +185,6 @@ def test_respond_does_not_settle_to_an_unstable_motion() -> None:
     assert response.motion.orbit is not None
     assert response.motion.orbit.stable
     assert len(response.motion.orbit.course.events) == 8
-
-
-def test_special_points_are_not_followed_over_two_numbers(blocks: FollowedBranch) -> None:
-    with pytest.raises(UnsupportedMotionError, match="driven motions only"):
-        follow_special(blocks, blocks.special[0], "links.coupling.stiffness", 1.3)
 
 
 def test_an_orbit_that_begins_on_its_plane_is_told_from_the_next() -> None:

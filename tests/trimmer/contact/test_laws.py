@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 
@@ -11,7 +12,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.mechanisms.brute_force import Event
 from tests.mechanisms.comparison import difference
 from tests.mechanisms.dynamics import System
 from tests.mechanisms.random_mechanisms import all_with, random_mechanism
@@ -39,18 +39,23 @@ def run(mechanism: Mechanism) -> ExactMotion:
     return exact_motion(mechanism, PERIODS / mechanism.frequency)
 
 
-def states(mechanism: Mechanism, motion: ExactMotion) -> np.ndarray:
-    return motion.states(TIMES / mechanism.frequency)
+def same(
+    first: Mechanism,
+    second: Mechanism,
+    turned: Callable[[np.ndarray], np.ndarray] = lambda states: states,
+    columns: int | None = None,
+) -> None:
+    """Hold events and turned states of a second mechanism against those of the first, in usual sizes."""
+    one, other = run(first), run(second)
+    parted = difference(one.events, other.events, ENOUGH / first.frequency)
+    assert math.isinf(parted.time), (parted.first, parted.second)
+    found, expected = turned(other.states(TIMES / second.frequency)), one.states(TIMES / first.frequency)
+    assert np.max(np.abs(found[:, :columns] - expected[:, :columns]) / usual(first)[:columns]) < ENOUGH
 
 
 def usual(mechanism: Mechanism) -> np.ndarray:
     system = System(mechanism)
     return system.usual[: system.rows.state_size]
-
-
-def same_events(first: list[Event], second: list[Event], period: float) -> None:
-    parted = difference(first, second, ENOUGH * period)
-    assert math.isinf(parted.time), (parted.first, parted.second)
 
 
 @several
@@ -67,10 +72,7 @@ def test_motion_scales_with_lengths_and_forces(data, several, size):
         forces=all_with(mechanism.forces, constant=size, amplitude=size, unbalance=size),
         start={name: (q * size, v * size) for name, (q, v) in mechanism.start.items()},
     )
-    small, large = run(mechanism), run(larger)
-    same_events(small.events, large.events, 1 / mechanism.frequency)
-    apart = states(larger, large) / size - states(mechanism, small)
-    assert np.max(np.abs(apart) / usual(mechanism)) < ENOUGH
+    same(mechanism, larger, lambda states: states / size)
 
 
 @several
@@ -92,11 +94,7 @@ def test_motion_is_mirrored(data, several):
             for name, pin in mirrored.pins.items()
         }
         mirrored = replace(mirrored, pins=turned)
-    one, other = run(mechanism), run(mirrored)
-    same_events(one.events, other.events, 1 / mechanism.frequency)
-    bodies = 2 * len(mechanism.bodies)
-    apart = states(mirrored, other)[:, :bodies] + states(mechanism, one)[:, :bodies]
-    assert np.max(np.abs(apart) / usual(mechanism)[:bodies]) < ENOUGH
+    same(mechanism, mirrored, lambda states: -states, columns=2 * len(mechanism.bodies))
 
 
 @several
@@ -108,12 +106,8 @@ def test_the_order_of_parts_does_not_matter(data, several):
     turned = replace(
         mechanism, **{kind: dict(reversed(list(getattr(mechanism, kind).items()))) for kind in kinds}
     )
-    one, other = run(mechanism), run(turned)
-    same_events(one.events, other.events, 1 / mechanism.frequency)
     count = len(mechanism.bodies)
-    first, second = states(mechanism, one), states(turned, other)
-    apart = first[:, :count] - second[:, count - 1 :: -1][:, :count]
-    assert np.max(np.abs(apart) / usual(mechanism)[:count]) < ENOUGH
+    same(mechanism, turned, lambda states: states[:, count - 1 :: -1][:, :count], columns=count)
 
 
 @several
@@ -126,10 +120,7 @@ def test_a_link_is_two_side_by_side(data, several, share):
         for name, link in mechanism.links.items()
         for place, factor in (("first", share), ("second", 1 - share))
     }
-    whole, split = run(mechanism), run(replace(mechanism, links=parts))
-    same_events(whole.events, split.events, 1 / mechanism.frequency)
-    apart = states(mechanism, whole) - states(mechanism, split)
-    assert np.max(np.abs(apart) / usual(mechanism)) < ENOUGH
+    same(mechanism, replace(mechanism, links=parts))
 
 
 @several
@@ -156,10 +147,7 @@ def test_a_pulling_play_without_a_gap_is_a_link(data, several):
     others = {key: value for key, value in mechanism.links.items() if key != name}
     joint = Play(link.between, link.stiffness, link.damping, 0.0, ContactLaw.PULLING)
     played = replace(mechanism, links=others, plays={name: joint} | dict(mechanism.plays))
-    linked, closed = run(mechanism), run(played)
-    same_events(linked.events, closed.events, 1 / mechanism.frequency)
-    apart = states(mechanism, linked) - states(played, closed)
-    assert np.max(np.abs(apart) / usual(mechanism)) < ENOUGH
+    same(mechanism, played)
 
 
 def test_the_seeds_have_contacts_and_stick():

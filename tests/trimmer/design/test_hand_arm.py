@@ -5,9 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from trimmer import Mechanism, forced_orbit
 from trimmer.design import hand_arm_weighting
-from trimmer.design.found_motion import of_orbit
 
 PUBLISHED = {
     6.3: 0.727, 8: 0.873, 10: 0.951, 12.5: 0.958, 16: 0.896, 20: 0.782, 25: 0.647, 31.5: 0.519, 40: 0.411,
@@ -35,31 +33,3 @@ def test_it_lags_at_the_frequency_of_its_transition_as_its_formula_says() -> Non
     band = s**2 * second**2 / (s**2 + first * s * np.sqrt(2) + first**2)
     band /= s**2 + second * s * np.sqrt(2) + second**2
     assert hand_arm_weighting(50 / np.pi) == pytest.approx(0.64 * (1 - 1j) * band, rel=1e-12)
-
-
-def shaken(frequency: float) -> Mechanism:
-    """Return a body on a stiff spring of a pin that vibrates, so that its motion is a sine that is known."""
-    return Mechanism.from_toml_text(f"""
-        frequency = {frequency}
-        [bodies]
-        block = {{ mass = 0.1 }}
-        [pins]
-        shaker = {{ on = "ground", amplitude = "1 mm" }}
-        [links]
-        spring = {{ between = ["shaker", "block"], stiffness = 1e5, damping = 5.0 }}
-        [outputs]
-        block = {{ block = 1 }}
-    """)
-
-
-@pytest.mark.parametrize("frequency", [12.0, 50.0, 300.0])
-def test_a_sine_is_weighted_by_the_factor_of_its_frequency(frequency: float) -> None:
-    motion = of_orbit(forced_orbit(shaken(frequency)))
-    found = motion.hand_arm["block"]
-    omega = 2 * np.pi * frequency
-    stiff = 1e5 + 5j * omega
-    rms = abs(stiff / (stiff - 0.1 * omega**2)) * 1e-3 * omega**2 / np.sqrt(2)
-    assert found.rms == pytest.approx(rms, rel=1e-9)
-    assert found.weighted == pytest.approx(rms * abs(hand_arm_weighting(frequency)), rel=1e-9)
-    assert found.left_out < 1e-9 * found.weighted
-    assert found.hours_to(2.5) == pytest.approx(8 * (2.5 / found.weighted) ** 2)

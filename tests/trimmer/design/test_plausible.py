@@ -32,47 +32,46 @@ def told(found: tuple[Question, ...]) -> list[tuple[Oddity, str, float, float]]:
     return [(each.oddity, each.place_text, each.value, each.beside) for each in found]
 
 
-@pytest.mark.parametrize(("mass", "middle"), [(1.5, 0.03), (4e-4, 0.02)])
-def test_a_body_fifty_times_heavier_or_lighter_than_the_middle_one(mass: float, middle: float) -> None:
+PINS = {"near": Pin("ground", 0.025), "far": Pin("ground", -0.026)}
+STROKES = {"one": Pin("ground", 1e-3), "two": Pin("ground", -1.5e-3)}
+PLAYS = {"wide": Play(ENDS, 1e4, 0.0, 3e-3), "fine": Play(ENDS, 1e4, 0.0, 2.9e-3)}
+ODD = {
     # It is asked about once, though more than a kilogram is also much for a hand.
-    expected = (Oddity.HEAVY_BODY, "bodies.c.mass", mass, middle)
-    assert told(questions(mechanism((0.02, 0.03, mass)), None)) == [expected]
-    nearer = math.sqrt(mass * middle)
-    assert questions(mechanism((0.02, 0.03, nearer)), None) == ()
+    "fifty times heavier": (mechanism((0.02, 0.03, 1.5)), [(Oddity.HEAVY_BODY, "bodies.c.mass", 1.5, 0.03)]),
+    "less heavy": (mechanism((0.02, 0.03, math.sqrt(1.5 * 0.03))), []),
+    "lighter": (mechanism((0.02, 0.03, 4e-4)), [(Oddity.HEAVY_BODY, "bodies.c.mass", 4e-4, 0.02)]),
+    "less light": (mechanism((0.02, 0.03, math.sqrt(4e-4 * 0.02))), []),
+    "the heavier of two in the middle": (
+        mechanism((0.001, 0.002, 0.1, 0.1)),
+        [
+            (Oddity.HEAVY_BODY, f"bodies.{name}.mass", mass, 0.1)
+            for name, mass in (("a", 0.001), ("b", 0.002))
+        ],
+    ),
+    "two alone": (mechanism((0.001, 0.9)), []),
+    "of a hand": (
+        mechanism((0.2, 0.2, 1.2), pins=PINS, frequency=4.0),
+        [
+            (Oddity.HEAVY_FOR_HAND, "bodies.c.mass", 1.2, 1.0),
+            (Oddity.LONG_STROKE, "pins.far.amplitude", -0.026, 0.025),
+            (Oddity.SLOW_OR_FAST, "frequency", 4.0, 5.0),
+        ],
+    ),
+    "of no hand": (mechanism((0.2, 1.0, 1.2), pins=PINS, frequency=4.0), []),
+    "fast": (mechanism(frequency=2001.0), [(Oddity.SLOW_OR_FAST, "frequency", 2001.0, 2000.0)]),
+    **{f"at {each} Hz": (mechanism(frequency=each), []) for each in (5.0, 2000.0, None)},
+    "a gap like a stroke": (
+        mechanism(pins=STROKES, plays=PLAYS),
+        [(Oddity.GAP_ABOVE_STROKE, "plays.wide.gap", 3e-3, 3e-3)],
+    ),
+    "a gap without a stroke": (mechanism(plays=PLAYS), []),
+}
 
 
-def test_the_middle_one_of_an_even_number_is_the_heavier() -> None:
-    found = questions(mechanism((0.001, 0.002, 0.1, 0.1)), None)
-    assert told(found) == [
-        (Oddity.HEAVY_BODY, "bodies.a.mass", 0.001, 0.1),
-        (Oddity.HEAVY_BODY, "bodies.b.mass", 0.002, 0.1),
-    ]
-    assert questions(mechanism((0.001, 0.9)), None) == ()
-
-
-def test_sizes_are_asked_about_in_machines_of_the_hand_alone() -> None:
-    pins = {"near": Pin("ground", 0.025), "far": Pin("ground", -0.026)}
-    made = mechanism((0.2, 0.2, 1.2), pins=pins, frequency=4.0)
-    assert told(questions(made, None)) == [
-        (Oddity.HEAVY_FOR_HAND, "bodies.c.mass", 1.2, 1.0),
-        (Oddity.LONG_STROKE, "pins.far.amplitude", -0.026, 0.025),
-        (Oddity.SLOW_OR_FAST, "frequency", 4.0, 5.0),
-    ]
-    assert questions(mechanism((0.2, 1.0, 1.2), pins=pins, frequency=4.0), None) == ()
-    assert told(questions(mechanism(frequency=2001.0), None)) == [
-        (Oddity.SLOW_OR_FAST, "frequency", 2001.0, 2000.0)
-    ]
-    for frequency in (5.0, 2000.0, None):
-        assert questions(mechanism(frequency=frequency), None) == ()
-
-
-def test_a_gap_as_large_as_the_largest_stroke() -> None:
-    pins = {"one": Pin("ground", 1e-3), "two": Pin("ground", -1.5e-3)}
-    plays = {"wide": Play(ENDS, 1e4, 0.0, 3e-3), "fine": Play(ENDS, 1e4, 0.0, 2.9e-3)}
-    assert told(questions(mechanism(pins=pins, plays=plays), None)) == [
-        (Oddity.GAP_ABOVE_STROKE, "plays.wide.gap", 3e-3, 3e-3)
-    ]
-    assert questions(mechanism(plays=plays), None) == ()
+@pytest.mark.parametrize("case", ODD)
+def test_numbers_that_a_small_machine_hardly_has_are_asked_about(case: str) -> None:
+    made, expected = ODD[case]
+    assert told(questions(made, None)) == expected
 
 
 def test_a_contact_that_yields_half_of_the_largest_stroke() -> None:

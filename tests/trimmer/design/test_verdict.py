@@ -35,71 +35,57 @@ def study(meeting: float | None, doubt: float) -> RangeStudy:
     return RangeStudy((), (), meeting, doubt, ())
 
 
-def test_targets_that_are_met_alone_are_sure() -> None:
-    verdict = verdict_on(BOTH, found(GOOD), None)
-    assert (verdict.outcome, verdict.sureness) == (DesignOutcome.MET, Sureness.SURE)
-    assert [(each.target, each.met) for each in verdict.judged] == [(STROKE, True), (SPEED, True)]
-    assert [each.value for each in verdict.judged] == pytest.approx([3e-3, 0.2])
-    assert (verdict.otherwise, verdict.others_agree, verdict.missed) == (0.0, True, ())
-
-
-def test_another_motion_that_is_judged_otherwise_leaves_it_open() -> None:
-    other, alike = replace(SMALL, starts=1), replace(GOOD, starts=2)
-    verdict = verdict_on(BOTH, found(GOOD, SMALL, alike, other), None)
-    assert (verdict.outcome, verdict.sureness) == (DesignOutcome.DEPENDS, Sureness.UNSURE)
-    assert verdict.otherwise == pytest.approx(0.4)
-    assert not verdict.others_agree
-    assert verdict_on(BOTH, found(SMALL, GOOD), None).otherwise == pytest.approx(0.4)
-
-
-def test_other_motions_that_are_judged_alike_make_it_likely() -> None:
-    verdict = verdict_on(BOTH, found(GOOD, replace(GOOD, starts=2)), None)
-    assert (verdict.outcome, verdict.sureness, verdict.others_agree) == (
-        DesignOutcome.MET,
-        Sureness.LIKELY,
-        True,
-    )
-    assert verdict.otherwise == 0.0
+MET, MISSED, DEPENDS = DesignOutcome.MET, DesignOutcome.MISSED, DesignOutcome.DEPENDS
+ALIKE, OTHER = replace(GOOD, starts=2), replace(SMALL, starts=1)
 
 
 @pytest.mark.parametrize(
-    ("changes", "lost", "sureness"),
+    ("motions", "ranges", "outcome", "sureness", "agree", "otherwise"),
     [
-        ({"neighbour_agrees": True}, 0, Sureness.SURE),
-        ({"neighbour_agrees": False}, 0, Sureness.LIKELY),
-        ({}, 1, Sureness.LIKELY),
-        ({"kind": MotionKind.CHAOTIC}, 0, Sureness.UNSURE),
-        ({"neutral": True}, 0, Sureness.UNSURE),
+        (found(GOOD), None, MET, Sureness.SURE, True, 0.0),
+        (found(GOOD, ALIKE), None, MET, Sureness.LIKELY, True, 0.0),
+        # Another motion that is judged otherwise leaves it open.
+        (found(GOOD, SMALL, ALIKE, OTHER), None, DEPENDS, Sureness.UNSURE, False, 0.4),
+        (found(SMALL, GOOD), None, DEPENDS, Sureness.UNSURE, False, 0.4),
+        (found(GOOD, lost=1), None, MET, Sureness.LIKELY, True, 0.0),
+        *(
+            (found(replace(GOOD, **changes)), None, MET, sureness, True, 0.0)
+            for changes, sureness in (
+                ({"neighbour_agrees": True}, Sureness.SURE),
+                ({"neighbour_agrees": False}, Sureness.LIKELY),
+                ({"kind": MotionKind.CHAOTIC}, Sureness.UNSURE),
+                ({"neutral": True}, Sureness.UNSURE),
+            )
+        ),
+        # Ranges decide where they leave no doubt.
+        (found(GOOD), study(1.0, 0.0), MET, Sureness.SURE, True, 0.0),
+        (found(GOOD), study(0.0, 0.0), MISSED, Sureness.SURE, True, 0.0),
+        (found(SMALL), study(1.0, 0.0), MET, Sureness.SURE, True, 0.0),
+        (found(GOOD), study(0.9, 0.18), DEPENDS, Sureness.UNSURE, True, 0.0),
+        (found(GOOD, first_failed=True), None, DesignOutcome.OPEN, Sureness.UNSURE, True, 0.0),
+        (found(), None, DesignOutcome.OPEN, Sureness.UNSURE, True, 0.0),
     ],
 )
-def test_what_makes_it_less_sure(changes: dict[str, Any], lost: int, sureness: Sureness) -> None:
-    verdict = verdict_on(BOTH, found(replace(GOOD, **changes), lost=lost), None)
-    assert (verdict.outcome, verdict.sureness) == (DesignOutcome.MET, sureness)
-
-
-def test_ranges_decide_where_they_leave_no_doubt() -> None:
-    assert verdict_on(BOTH, found(GOOD), study(1.0, 0.0)).outcome is DesignOutcome.MET
-    assert verdict_on(BOTH, found(GOOD), study(0.0, 0.0)).outcome is DesignOutcome.MISSED
-    assert verdict_on(BOTH, found(SMALL), study(1.0, 0.0)).outcome is DesignOutcome.MET
-    verdict = verdict_on(BOTH, found(GOOD), study(0.9, 0.18))
-    assert (verdict.outcome, verdict.sureness, verdict.others_agree) == (
-        DesignOutcome.DEPENDS,
-        Sureness.UNSURE,
-        True,
-    )
-
-
-def test_without_targets_or_motion_nothing_is_judged() -> None:
-    for verdict in (
-        verdict_on((), found(GOOD), None),
-        verdict_on(BOTH, found(GOOD, first_failed=True), None),
-        verdict_on(BOTH, found(), None),
-    ):
-        assert (verdict.sureness, verdict.judged) == (Sureness.UNSURE, ())
-        assert (verdict.otherwise, verdict.others_agree) == (0.0, True)
-    assert verdict_on((), found(GOOD), None).outcome is DesignOutcome.NO_TARGETS
-    assert verdict_on(BOTH, found(GOOD, first_failed=True), None).outcome is DesignOutcome.OPEN
-    assert verdict_on((), found(), None).outcome is DesignOutcome.NO_TARGETS
+def test_a_verdict_is_as_sure_as_motions_and_ranges_agree(
+    motions: Motions,
+    ranges: RangeStudy | None,
+    outcome: DesignOutcome,
+    sureness: Sureness,
+    agree: bool,
+    otherwise: float,
+) -> None:
+    verdict = verdict_on(BOTH, motions, ranges)
+    assert (verdict.outcome, verdict.sureness, verdict.others_agree) == (outcome, sureness, agree)
+    assert verdict.otherwise == pytest.approx(otherwise)
+    without = verdict_on((), motions, None)
+    assert (without.outcome, without.sureness) == (DesignOutcome.NO_TARGETS, Sureness.UNSURE)
+    assert (without.judged, without.otherwise, without.others_agree) == ((), 0.0, True)
+    if outcome is DesignOutcome.OPEN:
+        assert verdict.judged == ()
+    elif motions.first is GOOD:
+        assert [(each.target, each.met) for each in verdict.judged] == [(STROKE, True), (SPEED, True)]
+        assert [each.value for each in verdict.judged] == pytest.approx([3e-3, 0.2])
+        assert verdict.missed == ()
 
 
 def test_margins_are_shares_of_the_bound() -> None:

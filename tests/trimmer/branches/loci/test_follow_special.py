@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -189,18 +188,6 @@ def test_a_grazing_locus_around_a_peak_of_the_amplitude_closes() -> None:
     assert locus.units == ("Hz", "rad")
 
 
-@pytest.mark.slow
-def test_a_period_doubling_is_that_of_a_branch_over_one_number(near: FollowedBranch) -> None:
-    point = of_kind(near, SpecialKind.PERIOD_DOUBLING)
-    locus = follow_special(near, point, GAP, "9.9 m", settings=LONG)
-    assert (locus.reason, locus.periods) == (LocusEnd.LEFT, 1)
-    assert locus.distance.max() < 1e-9
-    frequency, gap = locus.values[-1]
-    moved = near.map.mechanism.with_value(GAP, float(gap))
-    alone = follow(moved, "frequency", frequency - 2e-3, frequency + 1e-3, settings=COARSE)
-    assert of_kind(alone, SpecialKind.PERIOD_DOUBLING).value == pytest.approx(frequency, rel=1e-9)
-
-
 def test_a_locus_ends_at_most_points_and_says_where(near: FollowedBranch) -> None:
     point = of_kind(near, SpecialKind.GRAZING)
     few = LocusSettings(most_points=3, quiet=True)
@@ -214,14 +201,6 @@ def test_a_locus_ends_at_most_points_and_says_where(near: FollowedBranch) -> Non
 
 
 @pytest.mark.slow
-def test_without_ranges_a_locus_stays_within_the_branch_and_goes_to_stop(near: FollowedBranch) -> None:
-    locus = follow_special(near, of_kind(near, SpecialKind.GRAZING), GAP, "9.8 m", settings=LONG)
-    assert locus.reason is LocusEnd.LEFT
-    assert (locus.second[0], locus.second[-1]) == (10.0, pytest.approx(9.8, rel=1e-12))
-    assert (np.diff(locus.second) < 0.0).all()
-
-
-@pytest.mark.slow
 def test_a_point_that_is_not_there_is_lost_and_what_lies_beside_it_is_named(near: FollowedBranch) -> None:
     grazing = of_kind(near, SpecialKind.GRAZING)
     torus = replace(grazing, kind=SpecialKind.TORUS, parts=())
@@ -231,92 +210,52 @@ def test_a_point_that_is_not_there_is_lost_and_what_lies_beside_it_is_named(near
     assert found.message.endswith("; beside it: grazing, period-doubling")
 
 
-Call = Callable[[FollowedBranch], object]
-REFUSED: dict[str, tuple[type[Exception], str, Call]] = {
-    "the same number": (
-        MechanismError,
-        "a second number",
-        lambda branch: follow_special(branch, branch.special[0], "frequency", 2.0),
-    ),
-    "an order": (
-        MechanismError,
-        "a second number",
-        lambda branch: follow_special(branch, branch.special[0], "forces.drive.order", 2),
-    ),
-    "no number": (
-        MechanismError,
-        "did you mean",
-        lambda branch: follow_special(branch, branch.special[0], "stops.stop.gapp", 2.0),
-    ),
-    "no way to go": (
-        ValueError,
-        "is 10 already",
-        lambda branch: follow_special(branch, branch.special[0], GAP, "10 m"),
-    ),
-    "ranges beside it": (
-        ValueError,
-        "do not hold the point",
-        lambda branch: follow_special(
-            branch, branch.special[0], GAP, 12.0, ranges=LocusRanges((1.0, 2.0), (10.0, 12.0))
-        ),
-    ),
-    "no branch": (
-        WrongTypeError,
-        "branch",
-        lambda branch: follow_special(branch.map, branch.special[0], GAP, 11.0),  # type: ignore[arg-type]
-    ),
-    "no special point": (WrongTypeError, "special", lambda branch: follow_special(branch, 1.25, GAP, 11.0)),  # type: ignore[arg-type]
-    "no drive": (
-        UnsupportedMotionError,
-        "driven motions only",
-        lambda branch: follow_special(
-            follow(
-                Mechanism.from_toml(EXAMPLES / "block-on-belt.toml"),
-                "pins.belt.velocity",
-                0.1,
-                0.2,
-                settings=FollowSettings(most_points=2, quiet=True),
-            ),
-            branch.special[0],
-            "links.spring.stiffness",
-            1.3,
-        ),
-    ),
-}
-
-
-@pytest.mark.parametrize("name", REFUSED)
-def test_wrong_use_is_told(near: FollowedBranch, name: str) -> None:
-    error, told, call = REFUSED[name]
+@pytest.mark.parametrize(
+    ("error", "told", "arguments"),
+    [
+        (MechanismError, "a second number", ("frequency", 2.0)),
+        (MechanismError, "a second number", ("forces.drive.order", 2)),
+        (MechanismError, "did you mean", ("stops.stop.gapp", 2.0)),
+        (ValueError, "is 10 already", (GAP, "10 m")),
+        (ValueError, "do not hold the point", (GAP, 12.0, LocusRanges((1.0, 2.0), (10.0, 12.0)))),
+    ],
+)
+def test_a_second_number_that_cannot_be_is_told(
+    near: FollowedBranch, error: type[Exception], told: str, arguments: tuple[Any, ...]
+) -> None:
+    place, stop, *ranges = arguments
     with pytest.raises(error, match=told):
-        call(near)
+        follow_special(near, near.special[0], place, stop, ranges=next(iter(ranges), None))
+
+
+def test_what_is_no_special_point_of_a_driven_branch_is_told(near: FollowedBranch) -> None:
+    with pytest.raises(WrongTypeError, match="branch"):
+        follow_special(near.map, near.special[0], GAP, 11.0)  # type: ignore[arg-type]
+    with pytest.raises(WrongTypeError, match="special"):
+        follow_special(near, 1.25, GAP, 11.0)  # type: ignore[arg-type]
+    belt, few = (
+        Mechanism.from_toml(EXAMPLES / "block-on-belt.toml"),
+        FollowSettings(most_points=2, quiet=True),
+    )
+    free = follow(belt, "pins.belt.velocity", 0.1, 0.2, settings=few)
+    with pytest.raises(UnsupportedMotionError, match="driven motions only"):
+        follow_special(free, near.special[0], "links.spring.stiffness", 1.3)
 
 
 @pytest.mark.parametrize(
-    ("made", "name", "value"),
-    [
-        (LocusSettings, "most_points", 1),
-        (LocusSettings, "largest_step", 1.5),
-        (LocusSettings, "smallest_step", 0.04),
-        (LocusSettings, "smallest_step", 0.0),
-        (
-            lambda **given: LocusRanges(**{"first": (0.0, 1.0), "second": (0.0, 1.0), **given}),
-            "first",
-            (1.0, 1.0),
-        ),
-        (
-            lambda **given: LocusRanges(**{"first": (0.0, 1.0), "second": (0.0, 1.0), **given}),
-            "second",
-            (2.0, 1.0),
-        ),
-    ],
+    ("name", "value"),
+    [("most_points", 1), ("largest_step", 1.5), ("smallest_step", 0.04), ("smallest_step", 0.0)],
 )
-def test_settings_and_ranges_out_of_bounds_are_refused(
-    made: Callable[..., object], name: str, value: Any
-) -> None:
+def test_settings_out_of_bounds_are_refused(name: str, value: Any) -> None:
     with pytest.raises(ValueError, match=name):
-        made(**{name: value})
+        LocusSettings(**{name: value})
     assert LocusSettings(2, 1.0, 1.0).smallest_step == 1.0
+
+
+@pytest.mark.parametrize(("name", "range"), [("first", (1.0, 1.0)), ("second", (2.0, 1.0))])
+def test_ranges_without_a_length_are_refused(name: str, range: tuple[float, float]) -> None:
+    with pytest.raises(ValueError, match=name):
+        LocusRanges(**{"first": (0.0, 1.0), "second": (0.0, 1.0), name: range})
 
 
 def test_a_locus_tells_its_points() -> None:
