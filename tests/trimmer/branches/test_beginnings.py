@@ -26,6 +26,7 @@ LINEAR, STOPPED = linear_oscillator(), impact_oscillator()
 TWIN, BELT = (Mechanism.from_toml(EXAMPLES / f"{name}.toml") for name in ("thesis-play", "block-on-belt"))
 SPEED = "pins.belt.velocity"
 DRIVE = Force("body", amplitude=3.0)
+BENT = ((-2.0, -5.0), (-1.0, -1.0), (1.0, 1.0), (2.0, 5.0))
 
 
 def pulled(mechanism: Mechanism, velocity: float) -> Mechanism:
@@ -279,6 +280,7 @@ def leaning(**changes: Any) -> Mechanism:
         (leaning(forces={"drive": DRIVE, "more": Force("body", amplitude=1.0, order=2)}), False),
         (leaning(forces={"drive": DRIVE, "more": Force("body", amplitude=1.0, order=3)}), True),
         (leaning(stops={"stop": Stop(("ground", "body"), 5.0, gap=1.2)}), False),
+        (leaning(plays={}, links={"spring": Link(("ground", "body"), damping=0.3, curve=BENT)}), True),
         (
             leaning(
                 pins={"pin": Pin("ground", offset=0.5)}, plays={"springs": Play(("pin", "body"), 10.0, gap=2)}
