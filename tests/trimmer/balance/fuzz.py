@@ -4,8 +4,6 @@ A loop is *missed* if its certificate is complete, without a doubt, and a soluti
 not in the list: that must not happen. It is *false* if a limit cycle in the list is no solution.
 """
 
-from __future__ import annotations
-
 import math
 import warnings
 from enum import Enum

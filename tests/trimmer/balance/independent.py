@@ -6,8 +6,6 @@ frequency, and SciPy solves from every cell round which its phase turns. A grid 
 are solutions.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Loops that the tests share."""
 
-from __future__ import annotations
-
 import control
 
 from trimmer import FrictionBacklash, TrimmerParameters, pin_model

@@ -1,7 +1,5 @@
 """What harmonic balance says to input that it cannot use."""
 
-from __future__ import annotations
-
 import math
 
 import control

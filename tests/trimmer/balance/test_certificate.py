@@ -1,7 +1,5 @@
 """What is not certain is reported: tangency, a continuum, poles on the axis, the ends of the axis."""
 
-from __future__ import annotations
-
 import math
 import warnings
 

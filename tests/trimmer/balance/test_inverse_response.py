@@ -1,7 +1,5 @@
 """The bounds of 1/G, and 1/G with a linear gain added, against values of G itself."""
 
-from __future__ import annotations
-
 import control
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """The linear part of elements: taken off exactly, and put round the system with poles to the last digits."""
 
-from __future__ import annotations
-
 import mpmath
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """What is remembered of a system: never more than its coefficients."""
 
-from __future__ import annotations
-
 import copy
 
 import control

@@ -1,7 +1,5 @@
 """Limit cycles of a plant that is known at some frequencies alone, beside those of the plant itself."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from pathlib import Path

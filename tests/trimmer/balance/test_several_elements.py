@@ -1,7 +1,5 @@
 """Harmonic balance of several elements in one loop, beside exact orbits and the balance of one element."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 import control

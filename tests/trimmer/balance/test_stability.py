@@ -1,7 +1,5 @@
 """Whether limit cycles are stable: exact orbits beside them, and closed-loop poles where the mean drifts."""
 
-from __future__ import annotations
-
 import control
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """Sums of elements: with viscous friction, with Coulomb friction or a relay, and with both."""
 
-from __future__ import annotations
-
 import control
 import mpmath
 import numpy as np

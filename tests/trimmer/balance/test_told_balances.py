@@ -1,7 +1,5 @@
 """What results of harmonic balance say of themselves: cycles, certificates, regions that are undecided."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,8 +1,6 @@
 """The test of cells: exact where F = N + 1/G is linear, and never sharper than the disks of its slopes
 allow."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Loops with delays, many lags and all scales, of every element: what is called complete misses nothing."""
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 

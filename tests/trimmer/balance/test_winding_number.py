@@ -1,7 +1,5 @@
 """The winding number: equal to the sum of indices, and different when a solution is missing."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from hypothesis import given, settings

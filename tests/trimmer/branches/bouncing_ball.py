@@ -4,8 +4,6 @@ With r the height of the ball above the table, r'' = -1 + A sin t in flight; in 
 - c r' - k r, until r = 0 where the contact may pull. It is independent of the package.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

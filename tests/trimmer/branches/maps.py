@@ -1,7 +1,5 @@
 """Maps whose branches and special points are known, and the passage that they give."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field

@@ -1,7 +1,5 @@
 """Published examples: special points, rad/s, and branches. Digits: two independent computations."""
 
-from __future__ import annotations
-
 import math
 from functools import cache
 

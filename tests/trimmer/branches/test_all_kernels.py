@@ -1,7 +1,5 @@
 """What is printed of a branch does not turn on the processor: no direction has a sign by chance."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

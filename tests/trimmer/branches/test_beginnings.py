@@ -1,7 +1,5 @@
 """Where a branch may begin and how far it may go: starts, intervals, and what is refused."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import replace

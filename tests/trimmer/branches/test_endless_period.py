@@ -1,7 +1,5 @@
 """Where a period grows without bound, beside laws in closed form."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Branches of mechanisms against published examples. Digits: two independent computations unless said."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from pathlib import Path

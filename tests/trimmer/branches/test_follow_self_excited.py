@@ -1,7 +1,5 @@
 """Branches of motions without a drive: against closed forms, and against brute force by SciPy."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Where branches of asymmetric orbits, or of doubled ones, join those from which they part."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Branches of maps whose special points are known in closed form, or to many digits."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """No result depends on where time begins: branches under shifted phases of all drives."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """What a branch tells of its orbits: outputs, harmonics, balance, words and tables."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from pathlib import Path

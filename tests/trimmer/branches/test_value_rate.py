@@ -3,8 +3,6 @@
 Tangents of branches rest on it; it goes through contacts, stick and springs that relax.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

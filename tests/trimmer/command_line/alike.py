@@ -1,7 +1,5 @@
 """Says whether two texts of a command are alike: word for word, and number for number to rounding."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """Files that calls of the command line read: signals with known contents, and files as users leave them."""
 
-from __future__ import annotations
-
 import math
 import wave
 from pathlib import Path

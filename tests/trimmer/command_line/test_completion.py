@@ -1,7 +1,5 @@
 """What a shell offers: by the script for bash run in bash, by what the others hold."""
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Commands of other packages, which their entry points name; and how any command ends."""
 
-from __future__ import annotations
-
 import textwrap
 from collections.abc import Callable
 from pathlib import Path

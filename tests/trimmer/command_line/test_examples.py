@@ -1,7 +1,5 @@
 """Each example in the help of a command runs, and answers."""
 
-from __future__ import annotations
-
 import json
 import shutil
 from collections.abc import Callable, Iterator

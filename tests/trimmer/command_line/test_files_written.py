@@ -1,7 +1,5 @@
 """Files that commands write: kept if they are the user's, and the same bytes each time."""
 
-from __future__ import annotations
-
 import os
 import runpy
 from pathlib import Path

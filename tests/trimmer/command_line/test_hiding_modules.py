@@ -1,7 +1,5 @@
 """Files of the user that are called as modules are neither run nor in the way."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """An interrupt (Ctrl-C) is heard soon at any moment, tells what was found, and leaves no traceback."""
 
-from __future__ import annotations
-
 import signal
 import sys
 import time

@@ -1,7 +1,5 @@
 """Every number of every command, set to what nobody means, is soon answered: by a result or a sentence."""
 
-from __future__ import annotations
-
 import math
 import re
 import resource

@@ -1,7 +1,5 @@
 """Commands in a process of their own: streams that are closed or full, encodings, surroundings."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

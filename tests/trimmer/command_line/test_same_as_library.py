@@ -1,7 +1,5 @@
 """What commands print as JSON is what the library returns, and what a record was made with is found."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

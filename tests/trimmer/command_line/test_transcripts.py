@@ -1,7 +1,5 @@
 """Calls of the command line answer as they did: ``transcript.py`` says what the files are and renews them."""
 
-from __future__ import annotations
-
 import json
 import re
 import shutil

@@ -1,7 +1,5 @@
 """Exact motions in the words of the brute force."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -4,8 +4,6 @@ The brute force runs at two tolerances. Their difference is its error, and where
 ends: a chaotic motion is compared only as long as it is known.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The linear loops of controlled machines, beside margins of python-control."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Machines with continuous controllers, beside digits found elsewhere, hand-written equations, and laws."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 import control

@@ -1,7 +1,5 @@
 """Curves of links and frictions: laws, digits, brute force, and corners that are easy to get wrong."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The derivative of a motion by its start, where it is known in closed form, and by differences."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

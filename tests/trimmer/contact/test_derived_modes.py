@@ -1,7 +1,5 @@
 """In every mode that machines with all kinds of parts meet, the equations are those that are derived."""
 
-from __future__ import annotations
-
 from itertools import islice
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Several drives: superposition, when all return together, tori, brute force, and who refuses what."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import control

@@ -1,7 +1,5 @@
 """A motion that cannot be continued says so: where frictions at rest tie, events come without end."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -4,8 +4,6 @@ Two frictions between the same ends are one friction with the sums of their forc
 stick together. What changes at one instant counts once for each part, from what it was to what it is after.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """An interrupt that comes while compiled code is at work ends it as any other, and not the process."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

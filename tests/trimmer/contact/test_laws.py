@@ -1,7 +1,5 @@
 """Laws that hold for any mechanism, held against the exact engine alone."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import replace

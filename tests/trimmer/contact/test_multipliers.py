@@ -1,7 +1,5 @@
 """Periodic motions return to themselves by brute force, with the multipliers of finite differences."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Motions that follow on paper, event by event, and where motions end."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

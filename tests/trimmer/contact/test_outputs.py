@@ -1,7 +1,5 @@
 """Outputs of every kind: against brute force on both sides of events, and by the laws of motion."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Points and rotations move as levers and gears do: laws, closed forms, and digits found elsewhere."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Forces that follow a profile over time: digits, closed forms, another integrator, and who refuses them."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

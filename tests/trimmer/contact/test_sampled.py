@@ -1,7 +1,5 @@
 """Sampled controllers: exact discretisation, public digits, the order at one instant, other integrators."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 from itertools import pairwise, product

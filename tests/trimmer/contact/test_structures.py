@@ -1,7 +1,5 @@
 """Structures: a machine moves alike in other coordinates, and as SciPy integrates it."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import pairwise
 

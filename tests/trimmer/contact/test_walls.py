@@ -1,7 +1,5 @@
 """Rigid walls: impacts, completed chatter, rest and letting go, several walls at once; closed forms."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """Harmonics and waveforms of pins and forces: laws, digits, brute force, superposition."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Motions and mechanisms made by hand, so that every number of them is known."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

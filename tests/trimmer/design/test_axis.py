@@ -1,7 +1,5 @@
 """Axes that follow a step, judged: a cascade on a mass in closed form, a motor with stiction that hunts."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """What differs between two mechanisms and their motions."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any

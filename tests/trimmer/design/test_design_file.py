@@ -1,7 +1,5 @@
 """Files of designs: targets, the held body, and what nobody knows; what is wrong is named with its line."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 

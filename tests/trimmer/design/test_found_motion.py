@@ -1,7 +1,5 @@
 """What is kept of a motion, of one that repeats and of one that does not."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from types import SimpleNamespace

@@ -1,7 +1,5 @@
 """The weighting of hand-arm vibration against the published table, and of motions that are known."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """What is done of a design is kept, whole, and an interrupted map goes on where it was."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any

@@ -1,7 +1,5 @@
 """Where a design has no slope, no neighbouring orbit, no settled trial or no motion at all, and says so."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Modes and transfer functions of a mechanism of three bodies, against its equations written out."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

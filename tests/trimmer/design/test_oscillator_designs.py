@@ -1,7 +1,5 @@
 """Slopes, remedies, neighbours and stages of an oscillator whose motion is known in closed form."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """A design looks at outputs of velocity, acceleration and force as at displacements."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

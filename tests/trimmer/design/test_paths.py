@@ -1,7 +1,5 @@
 """How far a branch stays stable, and branches whose orbits are known in closed form."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Which numbers are asked about, on both sides of each limit; and how large an unknown one may be."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Doubt and spread over ranges, with a runner that answers with numbers by hand."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any

@@ -1,7 +1,5 @@
 """The motions behind the sliders: solved for where they stand, and as a closed form says."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from dataclasses import dataclass

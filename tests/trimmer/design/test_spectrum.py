@@ -1,7 +1,5 @@
 """What each line of a spectrum is, of outputs whose lines are made by hand."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Machines that switch: judged from start to rest, against closed forms of a body that bounces on a wall."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """A target is met up to its bound and not beyond it."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

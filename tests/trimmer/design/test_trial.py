@@ -1,7 +1,5 @@
 """What is measured of a trial, and trials that fail."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Which numbers are varied and how far, on mechanisms and motions made by hand."""
 
-from __future__ import annotations
-
 import pytest
 
 from tests.trimmer.design.made import contact, friction, motion, output

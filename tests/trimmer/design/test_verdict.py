@@ -1,7 +1,5 @@
 """The verdict on motions made by hand: every reason for which it is less than sure."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

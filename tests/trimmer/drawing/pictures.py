@@ -3,8 +3,6 @@
 ``python -m tests.trimmer.drawing.pictures`` writes ``pictures.txt`` anew; its differences are read.
 """
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Pictures of harmonic balance, elements, orbits and identified loads: axes show what was computed."""
 
-from __future__ import annotations
-
 import control
 import pytest
 

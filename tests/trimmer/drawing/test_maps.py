@@ -1,7 +1,5 @@
 """Maps and basins are areas in colours that readers tell apart, and curves lie over them."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

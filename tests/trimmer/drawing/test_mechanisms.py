@@ -1,7 +1,5 @@
 """Pictures of mechanisms: curves are the exact motion, strips its contact and stick, marks its stability."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

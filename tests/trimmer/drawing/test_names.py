@@ -1,7 +1,5 @@
 """Names, units and prefixes in pictures."""
 
-from __future__ import annotations
-
 import io
 
 import numpy as np

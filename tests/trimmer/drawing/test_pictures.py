@@ -1,7 +1,5 @@
 """All results draw what they did, into axes that are given; transcripts of commands tell of ``--plot``."""
 
-from __future__ import annotations
-
 import re
 import sys
 from collections.abc import Iterator

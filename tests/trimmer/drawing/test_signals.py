@@ -1,7 +1,5 @@
 """Pictures of samples, spectra, fits and frequency responses: what is drawn is what the result holds."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

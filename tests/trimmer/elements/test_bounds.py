@@ -1,7 +1,5 @@
 """Bounds of N are not far off, and sums, factors and frozen elements hand on what their parts say."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

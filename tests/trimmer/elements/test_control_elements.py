@@ -1,7 +1,5 @@
 """The nonlinearities of python-control in place of elements, and our elements in place of its own."""
 
-from __future__ import annotations
-
 import control
 import matplotlib
 import numpy as np

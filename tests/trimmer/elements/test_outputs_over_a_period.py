@@ -1,7 +1,5 @@
 """Elements that are known by their output over a period, with scales and frequencies other than 1."""
 
-from __future__ import annotations
-
 import math
 
 import control

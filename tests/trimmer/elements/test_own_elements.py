@@ -1,7 +1,5 @@
 """A user's own elements: quadrature with an error that can be read, limit cycles without a proof."""
 
-from __future__ import annotations
-
 import control
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """The bounds of N where it is small, against N itself at many places, and that they are not far off."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Saturation, dead zone, preload and relays with thresholds, beside quadrature in 32 digits and textbooks."""
 
-from __future__ import annotations
-
 import itertools
 
 import mpmath

@@ -1,7 +1,5 @@
 """What the search of many trimmers cannot be sure of goes through the search of one, and is said."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.ensembles.crossings import Crossings, crossings

@@ -1,7 +1,5 @@
 """What the search of many trimmers takes and hands on: rows, samples, and who is searched again."""
 
-from __future__ import annotations
-
 import pytest
 
 from trimmer.ensembles import sampled_limit_cycles

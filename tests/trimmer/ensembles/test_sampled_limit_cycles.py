@@ -1,7 +1,5 @@
 """Limit cycles of many trimmers against ``limit_cycles`` of each, and what must hold without it."""
 
-from __future__ import annotations
-
 import warnings
 from dataclasses import asdict
 

@@ -1,7 +1,5 @@
 """Measured lines made by hand."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer import Signal

@@ -1,7 +1,5 @@
 """Records of exact orbits with noise, whose numbers are known."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer import Mechanism, Signal, respond

@@ -1,7 +1,5 @@
 """Fits to records whose numbers are known."""
 
-from __future__ import annotations
-
 import dataclasses
 import math
 

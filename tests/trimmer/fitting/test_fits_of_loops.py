@@ -1,7 +1,5 @@
 """Fits of loops to records made without this package, and to those of the same machine."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import control

@@ -1,7 +1,5 @@
 """Chi-square against noise, with lines and deviations made by hand."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any

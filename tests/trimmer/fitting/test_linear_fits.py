@@ -1,7 +1,5 @@
 """Fits of a linear oscillator, whose lines are a formula: best fit, profiles and notes by SciPy alone."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

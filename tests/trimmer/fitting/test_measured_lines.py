@@ -1,7 +1,5 @@
 """Lines of records whose noise is known."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

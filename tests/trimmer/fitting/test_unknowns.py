@@ -1,7 +1,5 @@
 """Which numbers are fitted, and which directions of them a measurement says little of."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

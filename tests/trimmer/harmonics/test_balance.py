@@ -1,7 +1,5 @@
 """Multi-harmonic balance against exact orbits, closed forms, and forces summed over time."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from dataclasses import replace

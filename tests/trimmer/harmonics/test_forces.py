@@ -1,7 +1,5 @@
 """Harmonics of forces against fine sums over time, and their derivatives against differences."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

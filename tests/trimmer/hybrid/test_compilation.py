@@ -1,7 +1,5 @@
 """Compiled code: nothing at import, kept where it can be, and still there where it cannot."""
 
-from __future__ import annotations
-
 import pickle
 import shutil
 import subprocess

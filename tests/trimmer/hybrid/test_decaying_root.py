@@ -1,7 +1,5 @@
 """The first zero of a polynomial and a known exponential on [0, 1]: the right one, or no answer."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

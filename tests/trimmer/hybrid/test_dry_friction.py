@@ -1,7 +1,5 @@
 """The contact problem of dry friction, beside SciPy's linear programming and least squares."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

@@ -1,7 +1,5 @@
 """The first zero of a polynomial on [0, 1]: none missed, whatever the distance to the next."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import pairwise

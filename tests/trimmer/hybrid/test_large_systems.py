@@ -1,7 +1,5 @@
 """Mechanisms of many bodies, whose modes are no tables: each moves as it does alone, in little memory."""
 
-from __future__ import annotations
-
 import math
 import tracemalloc
 from dataclasses import dataclass, field, replace

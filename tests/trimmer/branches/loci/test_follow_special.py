@@ -1,7 +1,5 @@
 """Special points over two numbers: against closed forms, and against branches over one number each."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from pathlib import Path
