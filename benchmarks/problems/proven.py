@@ -1,9 +1,9 @@
 """Which digits of the problems are proven by ball arithmetic, by the theorems kept in ``proofs``.
 
 ``python -m benchmarks.problems.proven [NAME ...]`` proves them anew: of motions that repeat the period
-without a drive, events, largest multiplier, peaks, mean squares, impact speeds and shares of stick; folds,
-period doublings, and what harmonic balance predicts. A grazing stays undecided. No theorem is there for a
-torus, and motions that do not repeat.
+without a drive, events, largest multiplier, peaks, mean squares, impact speeds, shares of stick; of motions
+from a state times of events, speeds, ends and how they follow a step (``moved``); folds, period doublings,
+and what harmonic balance predicts. A grazing stays undecided. No theorem is there for a torus.
 ``trimmer check`` verifies each file again.
 """
 
@@ -18,10 +18,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
-from benchmarks.problems import ask
+from benchmarks.problems import ask, moved
 from benchmarks.problems.read import FOLDER, Digit, Problem, problems
 
 if TYPE_CHECKING:
+    from trimmer import Mechanism
     from trimmer.proof import Proof
 
 PROOFS = FOLDER / "proofs"
@@ -55,6 +56,8 @@ VALUE = r": a {} within (?P<off>\S+), relative, of v = (?P<value>\S+)\.$"
 def file_of(problem: Problem, digit: Digit) -> Path:
     """Return where the proof of a digit is kept if there is one; digits of one motion share it."""
     name = orbit_of(digit) or digit.name.replace(" ", "-")
+    if moved.is_of_motion(problem, digit):
+        name = str(digit.ours[0])
     return PROOFS / f"{problem.name}-{name}.json"
 
 
@@ -75,12 +78,15 @@ def reading_of(digit: Digit) -> tuple[str, str] | None:
     return f"{kind}.{keys[place - 1]}", READ[keys[place]]
 
 
-def digits_of(digit: Digit, theorem: str) -> int:
+def digits_of(problem: Problem, digit: Digit, theorem: str) -> int:
     """Return how many digits of a number a theorem says, no more than are printed.
 
     Returns:
         0 if the theorem says nothing of it, or another number.
     """
+    if moved.is_of_motion(problem, digit):
+        told = moved.bounds_of(problem, digit, theorem)
+        return 0 if told is None else _shared(digit, 0.5 * (told[0] + told[1]), 0.5 * (told[1] - told[0]))
     kind = digit.ours[2] if digit.ours[1:2] == ("special",) else "nothing"
     said = {**ORBITS, **PREDICTED}.get(digit.name, VALUE.format(kind))
     if read := reading_of(digit):
@@ -94,16 +100,25 @@ def digits_of(digit: Digit, theorem: str) -> int:
     factor = {"turns": math.tau, "half": 0.5}.get(str(digit.ours[-1]) if digit.ours else "", 1.0)
     told = {name: each if name == "off" else factor * each for name, each in told.items()}
     middle = told["value"] if "value" in told else 0.5 * (told["lower"] + told["upper"])
-    off = told.get("off", 0.5 * (told.get("upper", middle) - told.get("lower", middle)) / abs(middle))
+    off = told["off"] * abs(middle) if "off" in told else 0.0
+    return _shared(digit, middle, off or 0.5 * (told.get("upper", middle) - told.get("lower", middle)))
+
+
+def _shared(digit: Digit, middle: float, off: float) -> int:
+    """Return how many digits a number has in common with what is within a distance of a middle."""
     # The theorem is told to a last digit, as is what is held against it.
-    off = max(off, digit.agreement)
+    off = max(off / abs(middle), digit.agreement)
     return math.floor(-math.log10(off)) if abs(digit.value / middle - 1.0) <= off else 0
 
 
 def proven_digits(problem: Problem, digit: Digit) -> int:
     """Return how many digits of a number its kept proof says; 0 if there is none."""
     path = file_of(problem, digit)
-    return digits_of(digit, json.loads(path.read_text(encoding="utf-8"))["theorem"]) if path.exists() else 0
+    return (
+        digits_of(problem, digit, json.loads(path.read_text(encoding="utf-8"))["theorem"])
+        if path.exists()
+        else 0
+    )
 
 
 def prove(problem: Problem, digit: Digit) -> Proof | None:
@@ -126,6 +141,8 @@ def prove(problem: Problem, digit: Digit) -> Proof | None:
         ask.write_files(problem, Path(folder))
         machine = Mechanism.from_toml(Path(folder) / ask.FILE)
     words = shlex.split(problem.asks[str(digit.ours[0])])
+    if moved.is_of_motion(problem, digit):
+        return _of_motion(problem, machine, words, str(digit.ours[0]))
     if orbit_name and (words[0] == "respond" or "settles_to" in digit.ours):
         for change in words[3::2] if words[0] == "respond" else ():
             place, value = change.split("=")
@@ -142,6 +159,24 @@ def prove(problem: Problem, digit: Digit) -> Proof | None:
     return prove_special_point(machine, branch, min(points, key=lambda each: abs(each.value - near)))
 
 
+def _of_motion(problem: Problem, machine: Mechanism, words: list[str], asked: str) -> Proof:
+    from trimmer import simulate
+    from trimmer.proof import prove_motion
+
+    digits = [each for each in problem.digits if each.ours[0] == asked]
+    names = dict.fromkeys(name for each in digits for name in moved.readings_of(problem, each))
+    options = dict(zip(words[2::2], words[3::2], strict=True))
+    for change in [options["--set"]] if "--set" in options else ():
+        place, value = change.split("=")
+        machine = machine.with_value(place, float(value))
+    proof = prove_motion(machine, simulate(machine, float(options["--duration"])), readings=tuple(names))
+    times = [each.value for each in digits if each.ours[1:2] == ("events",)]
+    if not proof and times:
+        # Where it ends by a chatter, which is not covered, what comes before it is.
+        proof = prove_motion(machine, simulate(machine, 1.1 * min(times)), readings=tuple(names))
+    return proof
+
+
 def main() -> None:
     """Prove what can be proven, and keep it."""
     parser = ArgumentParser(prog="python -m benchmarks.problems.proven", description=__doc__)
@@ -155,7 +190,7 @@ def main() -> None:
             kept[path] = proof = kept[path] if path in kept else prove(problem, digit)
             if proof is None:
                 continue
-            count = digits_of(digit, proof.theorem)
+            count = digits_of(problem, digit, proof.theorem)
             print(
                 f"{problem.name}, {digit.name}: {proof.verdict}, {count} digits. {proof.reason}", flush=True
             )

@@ -4,8 +4,8 @@
 check imports nothing of the solvers: ``statement``, what a file is about; ``balls``, exact numbers;
 ``described``, describing functions; ``proportional`` and ``plane``, all solutions of harmonic balance;
 ``cycles`` holds a list against them; ``form``, whether a motion is told whole; ``following``, it in balls;
-``returning`` and ``between_events``, that it returns without other events;
-``readings``, its extremes and means.
+``returning``, that it returns; ``pieces``, that there are no other events; ``readings``, its extremes and
+means; ``motion_check``, the same of a motion from a state.
 """
 
 import lazy_loader

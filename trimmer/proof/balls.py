@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_mat, fmpq_poly
 
+from trimmer.proof.outcome import UndecidedError, require_time
 from trimmer.proof.statement import Coefficients, Matrices
 
 PRECISION = 192
 """Bits of the midpoints of balls; 53 would be those of doubles."""
+MOST_PIECES = 4000
+UNEVEN = 0.4871
+"""Where an interval is divided: a root stands on no such place by chance."""
 I = acb(0, 1)  # noqa: E741
 with ctx.workprec(PRECISION):
     PI = arb.pi()
@@ -107,3 +112,37 @@ def positive_roots(polynomial: fmpq_poly) -> list[tuple[arb, int]] | None:
             if root.real > 0:
                 found.append((root.real.root(step), int(multiplicity)))
     return sorted(found, key=lambda each: float(each[0].mid()))
+
+
+def roots_between(function: Callable[[arb], tuple[arb, arb]], lower: arb, upper: arb) -> Iterator[arb]:
+    """Enclose all roots between two ends of a function that gives its value and its slope."""
+    waiting, pieces = [(lower, upper)], 0
+    while waiting:
+        require_time()
+        pieces += 1
+        if pieces > MOST_PIECES:
+            raise UndecidedError("a function nearly touches zero")
+        first, last = waiting.pop()
+        value, slope = function(hull(first, last))
+        if not value.contains(0):
+            continue
+        if not slope.contains(0):
+            ends = [function(each)[0] for each in (first, last)]
+            if (ends[0] < 0 and ends[1] > 0) or (ends[0] > 0 and ends[1] < 0):
+                yield _narrowed(function, hull(first, last))
+                continue
+            if (ends[0] < 0 and ends[1] < 0) or (ends[0] > 0 and ends[1] > 0):
+                continue
+        middle = (first + UNEVEN * (last - first)).mid()
+        waiting += [(first, middle), (middle, last)]
+
+
+def _narrowed(function: Callable[[arb], tuple[arb, arb]], around: arb) -> arb:
+    """Narrow the only root in an interval by Newton's method."""
+    for _ in range(60):
+        middle = arb(around.mid())
+        following = around.intersection(middle - function(middle)[0] / function(around)[1])
+        if not following.rad() < 0.9 * around.rad():
+            break
+        around = following
+    return around

@@ -26,6 +26,8 @@ MOST_TERMS = 36
 """Of Taylor's polynomials over what an event is later than computed."""
 BY_LAW = 1e-9
 """Share of its terms below which something is taken for what the law says: zero."""
+MOST_STEPS = 6000
+"""Of a segment."""
 RADIUS = -150
 """Power of two of the radius of the ball of starts, as a share of the sizes."""
 
@@ -49,6 +51,8 @@ class Segment:
         zeros: How many derivatives of event functions vanish at its start, counting the zeroth.
         at: When it ends if a clock ends it, s from the start; None for any other.
         strict: What is positive then, (m, N).
+        n: How many of Z are states.
+        sizes: Of Z, N.
         lifted: The first three for Z and its derivative by a number: that above, and Z below, (2N,); where
             nothing is varied, they are themselves.
     """
@@ -62,6 +66,8 @@ class Segment:
     zeros: dict[int, int]
     at: arb | None
     strict: arb_mat | None
+    n: int
+    sizes: list[arb]
     lifted: tuple[arb_mat, arb_mat, arb_mat]
 
     @cached_property
@@ -70,9 +76,33 @@ class Segment:
         return norm(self.lifted[0])
 
     @cached_property
+    def balanced(self) -> tuple[list[arb], arb]:
+        """Scales of Z, no smaller than the sizes, in which M has a small norm, and that norm."""
+        scales = _balanced(self.flow, self.sizes, self.n)
+        rows = zip(self.flow.tolist(), scales, strict=True)
+        return scales, norm(
+            arb_mat(
+                [[entry * scale / own for entry, scale in zip(row, scales, strict=True)] for row, own in rows]
+            )
+        )
+
+    @cached_property
+    def count(self) -> int:
+        """Steps so short that Taylor's polynomials hold over each; two at least where an event is to come."""
+        steps = math.ceil(float((self.balanced[1] * self.duration).upper()))
+        return max(1 if self.fired is None else 2, steps)
+
+    @cached_property
+    def step(self) -> arb_mat:
+        """exp(M duration / count), lifted."""
+        if self.count > MOST_STEPS:
+            raise UndecidedError(f"a segment is too long for its fastest rate: {self.count} steps")
+        return (self.lifted[0] * (self.duration / self.count)).exp()
+
+    @cached_property
     def propagator(self) -> arb_mat:
         """exp(M duration), lifted."""
-        return (self.lifted[0] * self.duration).exp()
+        return self.step**self.count
 
 
 @dataclass(frozen=True)
@@ -172,7 +202,7 @@ class BallMotion:
         """How many numbers are unknown: start, an unknown period, shifts, the number that is varied."""
         return self.n + self.autonomous + len(self.shifts) + (self.slopes is not None)
 
-    @property
+    @cached_property
     def period(self) -> arb:
         """The period as computed, s."""
         return sum((each.duration for each in self.segments), arb(0))
@@ -199,7 +229,7 @@ class BallMotion:
         )
 
     def _segments(self, tables: Tables) -> list[Segment]:
-        found, by, turns = [], self.slopes, self._rotation(tables.period)
+        found, by, n, turns = [], self.slopes, self.n, self._rotation(tables.period)
         for each, reset in zip(self.course.segments, range(len(tables.resets)), strict=True):
             mode = each.mode
             three = tables.flows[mode] + turns[0], tables.functions[mode], tables.resets[reset]
@@ -214,7 +244,9 @@ class BallMotion:
             at = None if each.at is None else real(exact(each.at))
             strict = self._rows(matrix(each.strict)) if each.strict else None
             falls = each.fired, each.together, dict(each.zeros)
-            found.append(Segment(*three, real(exact(each.duration)), *falls, at, strict, lifted))
+            found.append(
+                Segment(*three, real(exact(each.duration)), *falls, at, strict, n, self.sizes, lifted)
+            )
         return found
 
     def _rotation(self, period: arb) -> tuple[arb_mat, arb_mat]:
@@ -259,9 +291,8 @@ class BallMotion:
             starts.append(_column(columns, unknowns, size))
             columns = segment.propagator * columns
             if segment.fired is None:
-                known = self.tables.period if segment.at is None else segment.at
-                late = unknown[n] if self.autonomous else known - elapsed
-                late -= total
+                known = self.period + unknown[n] if self.autonomous else self.tables.period
+                late = (known if segment.at is None else segment.at) - elapsed - total
                 columns = _moved(segment, columns, late)
                 by_start = later * -1
             else:
@@ -340,6 +371,20 @@ def norm(flow: arb_mat) -> arb:
     """Bound the largest sum of moduli of a row."""
     rows = flow.tolist()
     return functools.reduce(arb.max, (arb(sum(map(abs, row), arb(0)).upper()) for row in rows), arb(0))
+
+
+def _balanced(flow: arb_mat, sizes: list[arb], n: int) -> list[arb]:
+    """Choose scales of the states by how much each drives and is driven; what forces them has its sizes."""
+    table = [[float(abs(flow[i, k]).upper()) for k in range(n)] for i in range(n)]
+    found = [float(each) for each in sizes[:n]]
+    for _ in range(20):
+        for i in range(n):
+            out = sum(table[i][k] * found[k] for k in range(n) if k != i)
+            into = sum(table[k][i] / found[k] for k in range(n) if k != i)
+            if out > 0 and into > 0:
+                found[i] = math.sqrt(out / into)
+    largest = max(float(size) / own for size, own in zip(sizes[:n], found, strict=True))
+    return [*(arb(largest * each) for each in found), *sizes[n:]]
 
 
 def _moved(segment: Segment, columns: arb_mat, late: arb) -> arb_mat:

@@ -19,10 +19,9 @@ def require_form(motion: BallMotion) -> None:
     """Hold how a motion is told against what a motion that returns is, before it is followed."""
     course, segments = motion.course, motion.segments
     first, last = course.segments[0], course.segments[-1]
-    if last.fired is not None or last.at is not None or first.zeros:
+    if last.at is not None or first.zeros:
         raise RefutedError("the motion begins or ends at an event")
-    if any((each.fired is None) == (each.at is None) for each in course.segments[:-1]):
-        raise RefutedError("a segment ends without an event")
+    require_events(motion)
     if any(each not in (1, -1) for each in motion.signs):
         raise RefutedError("a mirror image has other signs than 1 and -1")
     squares = _squares(course.rotation)
@@ -31,6 +30,17 @@ def require_form(motion: BallMotion) -> None:
     turned = [(-1) ** math.isqrt(each) if course.signs else 1 for each in squares]
     if not _ends_as_it_begins(motion, [*motion.signs, *turned]):
         raise RefutedError("the motion does not end in the mode in which it begins")
+    _require_clock(course, motion)
+    _require_shifts(motion)
+
+
+def require_events(motion: BallMotion) -> None:
+    """Hold it against a motion that each segment but the last ends by one event, which does one thing."""
+    course, segments = motion.course, motion.segments
+    if course.segments[-1].fired is not None:
+        raise RefutedError("the motion begins or ends at an event")
+    if any((each.fired is None) == (each.at is None) for each in course.segments[:-1]):
+        raise RefutedError("a segment ends without an event")
     resets: dict[object, arb_mat] = {}
     for (before, after), segment in zip(pairwise(course.segments), segments[1:], strict=True):
         key = before.mode, before.fired, before.together, after.mode, after.zeros
@@ -38,8 +48,6 @@ def require_form(motion: BallMotion) -> None:
             segment.lifted[2]
         ):
             raise RefutedError("one event does different things to the states")
-    _require_clock(course, motion)
-    _require_shifts(motion)
 
 
 def require_rest_at_start(motion: BallMotion, start: list[arb]) -> None:

@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 
 from trimmer.contact.statuses import IMPACT
+from trimmer.hybrid.advance import Ending
 from trimmer.hybrid.calm import amid_longest
 from trimmer.hybrid.clock import ABOVE, BELOW, TICKED, WITHIN, Clock, carried
-from trimmer.hybrid.system import EventFunction, ModeEquations, System
+from trimmer.hybrid.system import NOTHING, EventFunction, ModeEquations, System
 from trimmer.hybrid.variation import end_of_instant
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
@@ -25,6 +26,8 @@ INSTANTS = 256
 """Of a motion, at which its size is taken."""
 BESIDE = 1e-6
 """Share of a motion within which an event is too near to where it begins."""
+NOTHING_FELL, ROUNDING = -1, 1e-12
+"""In the log in place of an event function; share of a time within which it is another one."""
 SMALL = 1e-10
 """Share of its terms below which a derivative of an event function is taken for zero by law."""
 
@@ -48,9 +51,15 @@ class Seen:
         return self.system.mode(self.known[int(self.log.mode[row])].statuses)
 
     def fires(self, row: int) -> int | None:
-        """Return the number of what fell to zero at the beginning of a row; None at an instant of a clock."""
+        """Return the number of what fell to zero at the beginning of a row; None where nothing did."""
         function = int(self.log.function[row])
-        return None if function <= TICKED else function
+        return None if function < 0 else function
+
+    def breaks(self, row: int) -> bool:
+        """Say whether what forces the states changes its course at the beginning of a row."""
+        time, breaks = self.log.start[row], np.array(self.system.layout.breaks)
+        own = row > 0 and self.log.function[row] == NOTHING_FELL and self.log.kind[row] == NOTHING
+        return bool(own and (abs(breaks - time) <= ROUNDING * time).any())
 
     def code(self, row: int) -> int:
         """Return what a clock does at the beginning of a row."""
@@ -84,6 +93,51 @@ def orbit_data(orbit: Orbit, flow: Flow) -> dict[str, Any]:
     return {"motion": {**motion, "frame": frame}, "equations": equations_data(course, flow), "stable": stable}
 
 
+def stated_motion(course: Course, flow: Flow) -> dict[str, Any]:
+    """Return a motion from its initial state, with equations in which what forces states is a state too."""
+    system, seen, rows = (
+        flow.modes.system,
+        Seen(course.log, course.modes, flow.modes),
+        motion_rows(course, flow),
+    )
+    if course.ending is not Ending.REACHED_END:
+        raise UndecidedError("it ends early")
+    (segments, largest), count = _segments(course, seen, rows), system.layout.size - 1
+    segments[-1]["at"] = float(course.duration)
+    first = seen.mode(rows[0][1]).hold
+    resets = [each.tolist() for each in (first, *(_reset(seen, *row) for row in rows[1:]))]
+    distinct = list({repr(each): each for each in resets}.values())
+    return {
+        "motion": {
+            "about": flow.subject.title or type(flow.subject).__name__,
+            "segments": segments,
+            "sizes": np.where(largest > 0.0, largest, LEAST)[:count].tolist(),
+            "state": course.log.state[rows[0][1], :count].tolist(),
+            "rotation": [[0]],
+            "periods": 0.0,
+            "signs": [],
+            "shifts": [],
+            "frame": system.layout.frame.velocities.tolist() if system.layout.travels else [],
+            "clock": [],
+        },
+        "equations": {
+            "modes": _modes(seen, rows, count),
+            "resets": distinct,
+            "forcing": [1.0],
+            "period": None,
+        },
+        "jumps": [distinct.index(each) for each in resets],
+    }
+
+
+def motion_rows(course: Course, flow: Flow) -> list[tuple[int, int]]:
+    """Return first and last row of what begins each segment of a motion from its initial state."""
+    rows = list(instants(Seen(course.log, course.modes, flow.modes), True))
+    while len(rows) > 1 and course.log.start[rows[1][0]] == 0 and course.log.function[rows[1][0]] > TICKED:
+        rows[:2] = [(0, rows[1][1])]
+    return rows
+
+
 def begun_amid(course: Course) -> Course:
     """Return a motion that repeats, begun where nothing happens if something does where it begins."""
     system, times = course.modes.system, np.unique(course.log.start[course.log.function >= 0])
@@ -102,33 +156,8 @@ def motion_data(course: Course, flow: Flow, periods: float) -> dict[str, Any]:
     layout, log = system.layout, course.log
     seen = Seen(log, course.modes, flow.modes)
     _require_covered(course, system)
-    rows = list(instants(log))
+    segments, largest = _segments(course, seen, list(instants(seen)))
     n = layout.state_count
-    segments: list[dict[str, Any]] = []
-    largest = abs(log.state).max(axis=0)
-    within = course.states(np.linspace(0.0, course.duration, INSTANTS))[:, :n]
-    largest[:n] = np.maximum(largest[:n], abs(within).max(axis=0))
-    for kind in layout.kinds:
-        largest[kind] = np.maximum(largest[kind], LEAST * largest[kind].max(initial=0.0))
-    largest[:n] = np.where(largest[:n] > 0.0, largest[:n], LEAST * (largest[:n].max(initial=0.0) or 1.0))
-    ends = [*(float(log.start[first]) for first, _ in rows[1:]), float(course.duration)]
-    used = modes_used(log)
-    for place, ((first, last), end) in enumerate(zip(rows, ends, strict=True)):
-        mode, following = seen.mode(last), None if place + 1 == len(rows) else rows[place + 1][0]
-        fired = None if following is None else seen.fires(following)
-        owners = _owners(seen, first, last)
-        segments.append(
-            {
-                "mode": used.index(int(log.mode[last])),
-                "duration": end - float(log.start[first]),
-                "fired": fired,
-                "together": []
-                if fired is None or following is None
-                else _together(mode, fired, course.before(following), largest),
-                "zeros": _zeros(mode, log.state[last], largest, owners) if place else [],
-                **({"at": None, "strict": []} if following is None else _tick(seen, following)),
-            }
-        )
     if system.clockwork is not None and course.begin.phase:
         raise UndecidedError("a sampled motion that begins amid a period is not covered")
     samplers = () if system.clockwork is None else system.clockwork.samplers
@@ -146,6 +175,38 @@ def motion_data(course: Course, flow: Flow, periods: float) -> dict[str, Any]:
     }
 
 
+def _segments(course: Course, seen: Seen, rows: list[tuple[int, int]]) -> tuple[list[dict[str, Any]], Any]:
+    """Return the segments of a motion that begin with these rows of its log, and the sizes of Z."""
+    log, layout = course.log, seen.system.layout
+    n = layout.state_count
+    segments: list[dict[str, Any]] = []
+    largest = abs(log.state).max(axis=0)
+    within = course.states(np.linspace(0.0, course.duration, INSTANTS))[:, :n]
+    largest[:n] = np.maximum(largest[:n], abs(within).max(axis=0))
+    for kind in layout.kinds:
+        largest[kind] = np.maximum(largest[kind], LEAST * largest[kind].max(initial=0.0))
+    largest[:n] = np.where(largest[:n] > 0.0, largest[:n], LEAST * (largest[:n].max(initial=0.0) or 1.0))
+    ends = [*(float(log.start[first]) for first, _ in rows[1:]), float(course.duration)]
+    used = modes_used(log, rows)
+    for place, ((first, last), end) in enumerate(zip(rows, ends, strict=True)):
+        mode, following = seen.mode(last), None if place + 1 == len(rows) else rows[place + 1][0]
+        fired = None if following is None else seen.fires(following)
+        owners = _owners(seen, first, last) if place else {each.owner for each in mode.functions}
+        segments.append(
+            {
+                "mode": used.index(int(log.mode[last])),
+                "duration": end - float(log.start[first]),
+                "fired": fired,
+                "together": []
+                if fired is None or following is None
+                else _together(mode, fired, course.before(following), largest),
+                "zeros": _zeros(mode, log.state[last], largest, owners),
+                **({"at": None, "strict": []} if following is None else _tick(seen, following)),
+            }
+        )
+    return segments, largest
+
+
 def _shifts(layout: Any) -> list[list[list[float]]]:
     """Return directions along which nothing changes, each with what is to stay: its leader, (n,)."""
     rest, leading = np.zeros(layout.state_count - len(layout.frame.directions)), layout.frame.leading
@@ -159,23 +220,24 @@ def equations_data(course: Course, flow: Flow) -> dict[str, Any]:
     own, system = course.modes.system.layout, flow.modes.system
     _require_covered(course, system)
     seen = Seen(course.log, course.modes, flow.modes)
+    rows = list(instants(seen))
     scale = system.layout.period / own.period if own.period else 1.0
     return {
-        "modes": _modes(seen),
-        "resets": [_reset(seen, first, last).tolist() for first, last in instants(course.log)],
+        "modes": _modes(seen, rows, system.layout.state_count),
+        "resets": [_reset(seen, first, last).tolist() for first, last in rows],
         "forcing": system.layout.forcing_at(course.begin.phase * scale).tolist(),
         "period": float(system.layout.period) if own.period else None,
     }
 
 
-def modes_used(log: Any) -> list[int]:
-    """Return the numbers of the modes in which an orbit is for some time."""
-    return sorted({int(log.mode[last]) for _, last in instants(log)})
+def modes_used(log: Any, rows: list[tuple[int, int]]) -> list[int]:
+    """Return the numbers of the modes in which a motion is for some time."""
+    return sorted({int(log.mode[last]) for _, last in rows})
 
 
-def _modes(seen: Seen) -> list[dict[str, Any]]:
-    n = seen.system.layout.state_count
-    modes = (seen.system.mode(seen.known[number].statuses) for number in modes_used(seen.log))
+def _modes(seen: Seen, rows: list[tuple[int, int]], n: int) -> list[dict[str, Any]]:
+    numbers = modes_used(seen.log, rows)
+    modes = (seen.system.mode(seen.known[number].statuses) for number in numbers)
     return [
         {
             "flow": mode.flow[:n].tolist(),
@@ -197,13 +259,13 @@ def _require_covered(course: Course, system: System) -> None:
         raise UndecidedError("forces that are no multiples of the drive are not covered")
 
 
-def instants(log: Any) -> Iterator[tuple[int, int]]:
+def instants(seen: Seen, with_breaks: bool = False) -> Iterator[tuple[int, int]]:
     """Yield the first and the last row of each instant at which something happens."""
-    row = 0
+    row, log = 0, seen.log
     while row < len(log.start):
         following = end_of_instant(log, row) if row else 1
         last = following - 1
-        goes_on = row > 0 and TICKED < log.function[row] < 0
+        goes_on = row > 0 and TICKED < log.function[row] < 0 and not (with_breaks and seen.breaks(row))
         if goes_on and (last > row or log.mode[row] != log.mode[row - 1]):
             raise UndecidedError("an event that is told by no event function is not covered")
         if not goes_on:
@@ -223,8 +285,11 @@ def _owners(seen: Seen, first: int, last: int) -> set[int]:
 
 def _reset(seen: Seen, first: int, last: int) -> Any:
     """Return what becomes of the state at an instant: resets of events, then made to fit what is held."""
-    log, impulses = seen.log, 0
+    log, impulses, n = seen.log, 0, seen.system.layout.state_count
     total = np.eye(log.state.shape[1])
+    if seen.breaks(first):
+        total[n:] = 0.0
+        total[n:, -1] = log.state[first, n:]
     for row in range(max(first, 1), last + 1):
         impulse = seen.system.impulse(int(log.part[row]), int(log.kind[row]))
         if impulse is not None:
@@ -245,6 +310,8 @@ def _tick(seen: Seen, row: int) -> dict[str, Any]:
     """Return when a clock samples, and what is positive there: how far each demand is from its limits."""
     if seen.fires(row) is not None:
         return {"at": None, "strict": []}
+    if seen.breaks(row):
+        return {"at": float(seen.log.start[row]), "strict": []}
     (clock, number), rows = seen.clock(row), []
     sampled = seen.code(row) >> len(clock.limit)
     for c in reversed(range(len(clock.limit))):

@@ -1,7 +1,7 @@
 """Whether a periodic motion of a system that is linear between events exists, alone, with these events.
 
 It is followed in balls from a ball of starts (``following``); Krawczyk's operator says that one of them
-returns (``returning``); then all event functions are enclosed over each segment (``between_events``).
+returns (``returning``); then all event functions are enclosed over each segment (``pieces``).
 """
 
 from __future__ import annotations
@@ -10,11 +10,10 @@ from collections.abc import Sequence
 
 from flint import arb, ctx
 
-from trimmer.proof.between_events import require_no_other_events
 from trimmer.proof.following import BY_LAW, RADIUS, BallMotion
 from trimmer.proof.form import require_form, require_rest_at_start, require_shortest
 from trimmer.proof.outcome import RefutedError, UndecidedError
-from trimmer.proof.readings import reading
+from trimmer.proof.readings import readings
 from trimmer.proof.returning import first_guess, first_step, multipliers_of, scales, solve
 from trimmer.proof.statement import Functional, Orbit, OrbitReadings
 
@@ -65,14 +64,13 @@ def _checked(data: Orbit, functionals: Sequence[Functional], bits: int, radius: 
             _require_alone(motion)
             raise
         require_rest_at_start(motion, found.unknown)
-        require_no_other_events(motion, found.over)
+        told = readings(motion, found.over, functionals)
         require_shortest(motion, found.over)
         stable, largest = multipliers_of(motion, found.over)
         if data.stable is not None and stable != data.stable:
             words = {True: "stable", False: "unstable", None: "of undecided stability"}
             error = UndecidedError if stable is None else RefutedError
             raise error(f"it is said to be {words[data.stable]}, and is {words[stable]}")
-        told = "".join(reading(motion, found.over, each) for each in functionals)
         return _theorem(motion, data, told, stable, largest, radius)
 
 

@@ -8,20 +8,17 @@ all u > 0, in pieces in which n is monotone, and beyond the last corner, where i
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from itertools import pairwise
 
 from flint import acb, arb, fmpq, fmpq_poly
 
-from trimmer.proof.balls import PI, along_axis, hull, in_balls, positive_roots, real
+from trimmer.proof.balls import PI, along_axis, in_balls, positive_roots, real, roots_between
 from trimmer.proof.described import Parts, corner
-from trimmer.proof.outcome import UndecidedError, require_time
+from trimmer.proof.outcome import UndecidedError
 
 Solution = tuple[arb, arb]
 """Amplitude and omega, rad/s."""
-MOST_PIECES = 4000
-UNEVEN = 0.4871
-"""Where an interval is divided: a solution stands on no such place by chance."""
 
 
 def keeps_direction(parts: Parts) -> bool:
@@ -77,8 +74,8 @@ def _inverse_amplitudes(parts: Parts, wanted: arb) -> Iterator[arb]:
     """Solve n(u) = wanted for all u > 0."""
     slope = real(parts.square[0]) * 4 / PI if parts.square[1] == 0 else 4 / PI
 
-    def gain(u: arb) -> tuple[arb, arb]:
-        value, by_u = slope * u, slope
+    def lacking(u: arb) -> tuple[arb, arb]:
+        value, by_u = slope * u - wanted, slope
         for weight, threshold in parts.corners:
             share, steep = corner(u * real(threshold))
             value, by_u = value + real(weight) * share, by_u + real(weight * threshold) * steep
@@ -93,7 +90,7 @@ def _inverse_amplitudes(parts: Parts, wanted: arb) -> Iterator[arb]:
     kinks = sorted({1 / each for _, each in parts.corners} | {1 / on for _, on, _ in parts.relays})
     ends = [arb(0), *(real(each) for each in kinks)]
     for lower, upper in pairwise(ends):
-        yield from _roots_between(gain, wanted, lower, upper)
+        yield from roots_between(lacking, lower, upper)
     rest = wanted - sum((real(weight) for weight, _ in parts.corners), arb(0))
     if slope == 0:
         if rest.contains(0):
@@ -106,40 +103,3 @@ def _inverse_amplitudes(parts: Parts, wanted: arb) -> Iterator[arb]:
         raise UndecidedError("a solution stands at a corner of the element")
     elif beyond.contains(0):
         raise UndecidedError("G is too large or the amplitude too large to tell")
-
-
-def _roots_between(
-    gain: Callable[[arb], tuple[arb, arb]], wanted: arb, lower: arb, upper: arb
-) -> Iterator[arb]:
-    waiting, pieces = [(lower, upper)], 0
-    while waiting:
-        require_time()
-        pieces += 1
-        if pieces > MOST_PIECES:
-            raise UndecidedError("N nearly touches what is wanted")
-        first, last = waiting.pop()
-        value, slope = gain(hull(first, last))
-        if not (value - wanted).contains(0):
-            continue
-        if slope > 0 or slope < 0:
-            ends = [gain(each)[0] - wanted for each in (first, last)]
-            if (ends[0] < 0 and ends[1] > 0) or (ends[0] > 0 and ends[1] < 0):
-                yield _narrowed(gain, wanted, hull(first, last))
-                continue
-            if (ends[0] < 0 and ends[1] < 0) or (ends[0] > 0 and ends[1] > 0):
-                continue
-        middle = (first + UNEVEN * (last - first)).mid()
-        waiting += [(first, middle), (middle, last)]
-
-
-def _narrowed(gain: Callable[[arb], tuple[arb, arb]], wanted: arb, around: arb) -> arb:
-    """Narrow the only root in an interval by Newton's method."""
-    for _ in range(60):
-        middle = arb(around.mid())
-        slope = gain(around)[1]
-        value = gain(middle)[0] - wanted
-        following = around.intersection(middle - value / slope)
-        if not following.rad() < 0.9 * around.rad():
-            break
-        around = following
-    return around

@@ -14,17 +14,24 @@ from trimmer.balance.solve import checked_range
 from trimmer.branches.followed import FollowedBranch
 from trimmer.branches.period_maps.driven_passage import DrivenPassage
 from trimmer.branches.special import SpecialKind, SpecialPoint
+from trimmer.contact.flow import MechanismFlow
 from trimmer.errors import TrimmerError
+from trimmer.hybrid.advance import Ending
 from trimmer.loops.loops import ClosedLoop
-from trimmer.proof.modes import begun_amid, equations_data, motion_data, orbit_data
+from trimmer.loops.motion import LoopMotion
+from trimmer.mechanism import Mechanism
+from trimmer.motion.course import Course
+from trimmer.proof.modes import begun_amid, equations_data, motion_data, orbit_data, stated_motion
 from trimmer.proof.outcome import LIMIT, UndecidedError, Verdict
 from trimmer.proof.proof import Proof, proof_of
-from trimmer.proof.read_of import functionals_data
+from trimmer.proof.read_of import functionals_data, read_of_motion
 from trimmer.proof.terms import element_data, plant_data
 from trimmer.response.flows import flow_of, require_subject
+from trimmer.response.motion import MechanismMotion
 from trimmer.response.orbit import Orbit
 
 if TYPE_CHECKING:
+    from trimmer.motion.flow import Flow
     from trimmer.motion.subject import Subject
 
 ASIDE = 1e-6
@@ -115,6 +122,45 @@ def prove_orbit(system: Subject, orbit: Orbit, limit: float = LIMIT, readings: S
     if read:
         return proof_of("readings of an orbit", {"orbit": data, "functionals": read}, limit)
     return proof_of("orbit", data, limit)
+
+
+def prove_motion(
+    system: Subject, motion: MechanismMotion | LoopMotion, limit: float = LIMIT, readings: Sequence[str] = ()
+) -> Proof:
+    """Prove that a system moves so from a state: with these events and no other, over a time.
+
+    What is taken for granted are the equations of each mode, what becomes of the states at each event, and
+    what a controller's clock or a reference makes of them at which times. The state is a point, and so the
+    motion is the only one.
+
+    Args:
+        system: The mechanism or loop.
+        motion: What ``simulate`` gives of it, or ``step``.
+        limit: Time after which the check gives up, undecided, s.
+        readings: As for ``prove_orbit``, and at the end; ``outputs.NAME = VALUE`` tells when that is so.
+
+    Returns:
+        Proven, with the times of events enclosed. Undecided or refuted, as for ``prove_orbit``.
+
+    Raises:
+        WrongTypeError: if an argument is of another type.
+        MissingPackageError: if python-flint is not installed.
+    """
+    require_subject(system)
+    require_instance("motion", motion, (MechanismMotion, LoopMotion), "a motion")
+    flow = MechanismFlow(system) if isinstance(system, Mechanism) else flow_of(system)
+    try:
+        course = motion.course if isinstance(motion, MechanismMotion) else _course_of(motion, flow)
+        data = {**stated_motion(course, flow), **read_of_motion(course, flow, readings)}
+    except UndecidedError as error:
+        return Proof("motion", Verdict.UNDECIDED, "", str(error), {})
+    return proof_of("motion", data, limit)
+
+
+def _course_of(motion: LoopMotion, flow: Flow) -> Course:
+    begin = flow.at(motion.log.state[0, : flow.size])
+    ending = Ending.REACHED_END if motion.success else Ending.DIVERGED
+    return Course(motion.loop.modes, begin, begin, ending, motion.duration, motion.log)
 
 
 def prove_special_point(

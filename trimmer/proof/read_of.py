@@ -10,8 +10,8 @@ import numpy as np
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.impulses import first_wall
 from trimmer.contact.statuses import CONTACT_MADE, IMPACT, STICK
-from trimmer.motion.signals import OwnValues, rate
-from trimmer.proof.modes import begun_amid, instants, modes_used
+from trimmer.motion.signals import OwnValues, Steady, rate
+from trimmer.proof.modes import Seen, begun_amid, instants, modes_used, motion_rows
 from trimmer.proof.outcome import UndecidedError
 
 if TYPE_CHECKING:
@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from trimmer.motion.flow import Flow
     from trimmer.motion.signals import Readout, Signal
     from trimmer.response.orbit import Orbit
+
+AXES = "displacements", "velocities"
+"""Names of what a body has."""
 
 
 def functionals_data(orbit: Orbit, flow: Flow, names: Iterable[str]) -> list[dict[str, Any]]:
@@ -30,20 +33,38 @@ def functionals_data(orbit: Orbit, flow: Flow, names: Iterable[str]) -> list[dic
         flow: What it is said to be a motion of.
         names: ``outputs.NAME``, ``rates.NAME`` for its rate with that of the frame, ``bodies.NAME`` for its
             acceleration, ``frictions.NAME`` for what is 1 while it sticks and else 0, ``contacts.NAME`` for
-            how fast its sides meet.
+            how fast its sides meet, ``displacements.NAME`` and ``velocities.NAME`` of a body.
     """
     course = begun_amid(orbit.course)
-    modes = [flow.modes.number(course.modes[number].statuses) for number in modes_used(course.log)]
-    found = []
+    rows = list(instants(Seen(course.log, course.modes, flow.modes)))
+    return [_functional(course, flow, rows, name) for name in names]
+
+
+def read_of_motion(course: Course, flow: Flow, names: Iterable[str]) -> dict[str, Any]:
+    """Return functionals of a motion from an initial state, and levels, ``outputs.NAME = VALUE``."""
+    rows, found = motion_rows(course, flow), {"functionals": list[Any](), "levels": list[Any]()}
     for name in names:
-        signal, before = _signal(course, flow, name)
-        if isinstance(signal, OwnValues):
-            raise UndecidedError(f"{name} is no functional of the state where several frictions stick")
-        found.append({"about": name, "rows": [signal(mode).tolist() for mode in modes], "before": before})
+        called, at, level = name.partition(" = ")
+        functional = _functional(course, flow, rows, called)
+        functional["before"].append(len(rows) - 1)
+        if at:
+            functional.update(about=f"{called} - {level}", before=[])
+            for row in functional["rows"]:
+                row[-1] -= float(level)
+        found["levels" if at else "functionals"].append(functional)
     return found
 
 
-def _signal(course: Course, flow: Flow, name: str) -> tuple[Signal, list[int]]:
+def _functional(course: Course, flow: Flow, rows: list[tuple[int, int]], name: str) -> dict[str, Any]:
+    signal, before = _signal(course, flow, rows, name)
+    if isinstance(signal, OwnValues):
+        raise UndecidedError(f"{name} is no functional of the state where several frictions stick")
+    used = modes_used(course.log, rows)
+    table = [signal(flow.modes.number(course.modes[number].statuses)).tolist() for number in used]
+    return {"about": name, "rows": table, "before": before}
+
+
+def _signal(course: Course, flow: Flow, rows: list[tuple[int, int]], name: str) -> tuple[Signal, list[int]]:
     """Return what is read by a name, and the segments before whose end it is told."""
     kind, _, part = name.partition(".")
     if kind == "outputs" and part in flow.outputs:
@@ -53,11 +74,13 @@ def _signal(course: Course, flow: Flow, name: str) -> tuple[Signal, list[int]]:
     if kind == "bodies" and part in flow.accelerations:
         return flow.accelerations[part], []
     if isinstance(flow, MechanismFlow):
+        if kind in AXES and part in flow.axes:
+            return Steady(np.eye(flow.modes.system.layout.size)[flow.axes[part][AXES.index(kind)]]), []
         layout = flow.modes.system.layout
         if kind == "frictions" and part in layout.frictions:
             return _stick(flow, layout.frictions.index(part)), []
         if kind == "contacts" and part in (*layout.contacts, *layout.walls):
-            return _meeting(course, flow, part)
+            return _meeting(course, flow, rows, part)
     raise UndecidedError(f"{name} is nothing that is read of this motion")
 
 
@@ -78,7 +101,9 @@ def _stick(flow: MechanismFlow, friction: int) -> Signal:
     return row
 
 
-def _meeting(course: Course, flow: MechanismFlow, name: str) -> tuple[Signal, list[int]]:
+def _meeting(
+    course: Course, flow: MechanismFlow, rows: list[tuple[int, int]], name: str
+) -> tuple[Signal, list[int]]:
     """Return the speed at which a contact or a wall closes, and the segments that end so."""
     machine, layout, log = flow.modes.system.machine, flow.modes.system.layout, course.log
     if name in layout.walls:
@@ -88,5 +113,5 @@ def _meeting(course: Course, flow: MechanismFlow, name: str) -> tuple[Signal, li
         number, kind, row = layout.contacts.index(name), CONTACT_MADE, machine.contact_rate
         part = number
     hit = (log.kind == kind) & (log.part == part)
-    ends = [place - 1 for place, (first, last) in enumerate(instants(log)) if hit[first : last + 1].any()]
+    ends = [place - 1 for place, (first, last) in enumerate(rows) if hit[first : last + 1].any()]
     return lambda mode: row[number], [place for place in ends if place >= 0]

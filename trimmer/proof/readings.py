@@ -1,6 +1,6 @@
-"""What is read of a motion: extremes, mean and mean square of functionals, and their values before events.
+"""What is read of a motion: extremes, mean and mean square of functionals, values before events, zeros.
 
-Over each step a functional is Taylor's polynomial with an error. Its square is integrated as a polynomial.
+Over each piece a functional is Taylor's polynomial with an error. Its square is integrated as a polynomial.
 Its extremes are at the ends of what its slope says is monotone; elsewhere a piece is halved until the slope
 leaves nothing to tell.
 """
@@ -8,120 +8,158 @@ leaves nothing to tell.
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
 from flint import arb, arb_mat, arb_poly
 
-from trimmer.proof.balls import about, between, exact, hull, real
-from trimmer.proof.between_events import steps_over, takes_time
+from trimmer.proof.balls import about, between, exact, hull, real, roots_between
 from trimmer.proof.following import BallMotion, Followed, moduli
 from trimmer.proof.outcome import UndecidedError, require_time
-from trimmer.proof.statement import Functional
+from trimmer.proof.pieces import Piece, pieces
+from trimmer.proof.statement import Functional, Table
 
-TERMS, DIGITS = 30, 15
-"""Of Taylor's polynomials; of what is told."""
+DIGITS = 15
+"""Of what is told."""
 FINE = 2.0**-56
 """Share of the terms of a functional below which nothing is left to tell of an extreme."""
+Along = Callable[[arb], tuple[arb, arb]]
+"""A functional and its slope over a piece, by the share of it."""
+
+
+def readings(
+    motion: BallMotion, over: Followed, functionals: Sequence[Functional], levels: Sequence[Functional] = ()
+) -> str:
+    """Hold a motion piece by piece against its equations; say what is read of it on the way.
+
+    Args:
+        motion: The motion.
+        over: It from a ball of starts.
+        functionals: Of these extremes, means, and values before events are told.
+        levels: Of these when they are zero.
+    """
+    read = [Reading.of(motion, each) for each in functionals]
+    rows = [_rows(motion, each.rows) for each in levels]
+    zeros: list[list[arb]] = [[] for _ in levels]
+    for piece in pieces(motion, over):
+        read = [each.with_piece(motion, piece) for each in read]
+        for own, found in zip(rows, zeros, strict=True):
+            roots = roots_between(_along(motion, piece, own)[0], arb(0), arb(1))
+            found += sorted((piece.begun + each * piece.duration for each in roots), key=float)
+    told = [each.told(motion, over) for each in read]
+    for level, found in zip(levels, zeros, strict=True):
+        instants = " and ".join(f"{bounds(each)} s" for each in found) or "no instant"
+        told.append(f" What this file calls {level.about!r}, unchecked, is zero at {instants}.")
+    return "".join(told)
 
 
 @dataclass(frozen=True)
-class Piece:
-    """A functional over a step, as polynomials of the share of it, 0 to 1, with their largest errors."""
+class Reading:
+    """What was read of a functional so far.
 
-    duration: arb
-    value: arb_poly
-    slope: arb_poly
-    off: arb
-    slope_off: arb
+    Attributes:
+        functional: As the file says it.
+        rows: It by Z, in the units, of each mode.
+        fine: What is fine enough of an extreme.
+        extremes: Its smallest and its largest value.
+        integrals: Of it and of its square.
+        passed: How long it was read, s.
+    """
 
-    def integrals(self) -> tuple[arb, arb]:
-        """Integrate it, and its square."""
-        largest = sum(map(abs, self.value.coeffs()), arb(0))
-        of_square = about(self.off * (2 * largest + self.off))
-        once, twice = (each.integral()(arb(1)) for each in (self.value, self.value * self.value))
-        return self.duration * (once + about(self.off)), self.duration * (twice + of_square)
+    functional: Functional
+    rows: list[arb_mat]
+    fine: arb
+    extremes: tuple[arb, arb]
+    integrals: tuple[arb, arb]
+    passed: arb
 
-    def at(self, share: arb) -> arb:
-        """Enclose its value."""
-        return self.value(share) + about(self.off)
+    @classmethod
+    def of(cls, motion: BallMotion, functional: Functional) -> Reading:
+        """Begin to read."""
+        rows, sizes = _rows(motion, functional.rows), arb_mat([[each] for each in motion.sizes])
+        largest = functools.reduce(arb.max, ((moduli(row) * sizes)[0, 0] for row in rows))
+        none = arb("inf"), arb("-inf")
+        return cls(functional, rows, FINE * largest.lower(), none, (arb(0), arb(0)), arb(0))
 
-    def extremes(self, lowest: arb, highest: arb, fine: arb) -> tuple[arb, arb]:
-        """Enclose the extremes of it and of what came before, to what is fine enough."""
+    def with_piece(self, motion: BallMotion, piece: Piece) -> Reading:
+        """Read on."""
+        along, polynomial, off = _along(motion, piece, self.rows)
+        size = sum(map(abs, polynomial.coeffs()), arb(0))
+        once, twice = (each.integral()(arb(1)) for each in (polynomial, polynomial * polynomial))
+        integrals = (
+            self.integrals[0] + piece.duration * (once + about(off)),
+            self.integrals[1] + piece.duration * (twice + about(off * (2 * size + off))),
+        )
+        passed = self.passed + piece.duration
+        return replace(self, extremes=self._extremes(along), integrals=integrals, passed=passed)
+
+    def _extremes(self, along: Along) -> tuple[arb, arb]:
+        """Enclose the extremes over a piece and of what came before, to what is fine enough."""
         waiting = [(0.0, 1.0)]
-        for each in map(self.at, (arb(0), arb(1))):
-            lowest, highest = lowest.min(each), highest.max(each)
+        lowest, highest = _widened(self.extremes, [along(each)[0] for each in (arb(0), arb(1))])
         while waiting:
             require_time()
             first, last = waiting.pop()
-            slope = self.slope(hull(first, last)) + about(self.slope_off)
-            half = 0.5 * (last - first)
-            middle, reach = self.at(arb(first + half)), (abs(slope) * half).upper()
+            half, slope = 0.5 * (last - first), along(hull(first, last))[1]
+            middle, reach = along(arb(first + half))[0], (abs(slope) * half).upper()
             if middle - reach > lowest and middle + reach < highest:
                 continue
-            lowest, highest = lowest.min(middle), highest.max(middle)
+            seen = [middle]
             if not slope.contains(0):
-                ends = self.at(arb(first)), self.at(arb(last))
-                lowest, highest = lowest.min(ends[0]).min(ends[1]), highest.max(ends[0]).max(ends[1])
-            elif reach <= fine:
-                lowest = lowest.min(middle + about(reach))
-                highest = highest.max(middle + about(reach))
+                seen += [along(arb(each))[0] for each in (first, last)]
+            elif reach <= self.fine:
+                seen.append(middle + about(reach))
             elif half < 2.0**-50:
                 raise UndecidedError("an extreme of what is read is not enclosed")
             else:
                 waiting += [(first, first + half), (first + half, last)]
+            lowest, highest = _widened((lowest, highest), seen)
         return lowest, highest
 
-
-def reading(motion: BallMotion, over: Followed, functional: Functional) -> str:
-    """Say what a functional does over a motion, and before events."""
-    rows = [_row(motion, each) for each in functional.rows]
-    before = {k: (rows[motion.course.segments[k].mode] * over.ends[k])[0, 0] for k in functional.before}
-    sizes = arb_mat([[each] for each in motion.sizes])
-    fine = FINE * functools.reduce(arb.max, ((moduli(row) * sizes)[0, 0] for row in rows)).lower()
-    pieces = list(_pieces(motion, over, rows))
-    lowest = highest = pieces[0].at(arb(0))
-    once = twice = period = arb(0)
-    for piece in pieces:
-        lowest, highest = piece.extremes(lowest, highest, fine)
-        integrals = piece.integrals()
-        once, twice, period = once + integrals[0], twice + integrals[1], period + piece.duration
-    mean, square = once / period, twice / period
-    told = {
-        "smallest": lowest,
-        "largest": highest,
-        "peak to peak": highest - lowest,
-        "integral": once,
-        "mean": mean,
-        "root mean square": _root(square),
-        "about the mean": _root(square - mean * mean),
-        **{f"before event {k + 1}": value for k, value in before.items()},
-    }
-    if not all(each.is_finite() for each in told.values()):
-        raise UndecidedError("what is read of the motion is not enclosed")
-    words = ", ".join(f"{name} {_bounds(value)}" for name, value in told.items())
-    called = f"what this file calls {functional.about!r}, unchecked"
-    return f" Over this motion, of {_bounds(period)} s, {called}, is: {words}."
+    def told(self, motion: BallMotion, over: Followed) -> str:
+        """Say it."""
+        course, (lowest, highest) = motion.course.segments, self.extremes
+        mean, square = (each / self.passed for each in self.integrals)
+        last = len(course) - 1
+        places = {k: "at the end" if k == last else f"before event {k + 1}" for k in self.functional.before}
+        found = {
+            "smallest": lowest,
+            "largest": highest,
+            "peak to peak": highest - lowest,
+            "integral": self.integrals[0],
+            "mean": mean,
+            "root mean square": _root(square),
+            "about the mean": _root(square - mean * mean),
+            **{called: (self.rows[course[k].mode] * over.ends[k])[0, 0] for k, called in places.items()},
+        }
+        if not all(each.is_finite() for each in found.values()):
+            raise UndecidedError("what is read of the motion is not enclosed")
+        # How wide balls are is no result.
+        seen = {name: about(self.fine) if abs(each) < self.fine else each for name, each in found.items()}
+        words = ", ".join(f"{name} {bounds(value)}" for name, value in seen.items())
+        called = f"what this file calls {self.functional.about!r}, unchecked"
+        return f" Over this motion, of {bounds(self.passed)} s, {called}, is: {words}."
 
 
-def _row(motion: BallMotion, row: tuple[float, ...]) -> arb_mat:
-    return arb_mat([[real(exact(each)) * unit for each, unit in zip(row, motion.units, strict=True)]])
+def _rows(motion: BallMotion, rows: Table) -> list[arb_mat]:
+    """Return a functional of each mode in the units."""
+    pairs = (zip(row, motion.units, strict=True) for row in rows)
+    return [arb_mat([[real(exact(each)) * unit for each, unit in pair]]) for pair in pairs]
 
 
-def _pieces(motion: BallMotion, over: Followed, rows: list[arb_mat]) -> Iterator[Piece]:
-    for number, (segment, told) in enumerate(zip(motion.segments, motion.course.segments, strict=True)):
-        if not takes_time(motion, number):
-            continue
-        steps = steps_over(motion, number, over)
-        both = rows[told.mode], rows[told.mode] * segment.flow * steps.duration
-        for z in steps.begun[:-1]:
-            columns, off = steps.taylor(segment.flow, z, steps.duration, TERMS)
-            value, slope = (arb_poly([(row * each)[0, 0] for each in columns]) for row in both)
-            offs = ((moduli(row) * off)[0, 0].upper() for row in both)
-            yield Piece(steps.duration, value, slope, *map(arb, offs))
+def _along(motion: BallMotion, piece: Piece, rows: list[arb_mat]) -> tuple[Along, arb_poly, arb]:
+    """Return a functional with its slope over a piece, and its polynomial with the error of that."""
+    flow, row = motion.segments[piece.number].flow, rows[motion.course.segments[piece.number].mode]
+    (value, off), (slope, slope_off) = piece.of(row)[0], piece.of(row * flow * piece.duration)[0]
+    return lambda share: (value(share) + about(off), slope(share) + about(slope_off)), value, off
 
 
-def _bounds(value: arb) -> str:
+def _widened(extremes: tuple[arb, arb], values: list[arb]) -> tuple[arb, arb]:
+    return functools.reduce(arb.min, values, extremes[0]), functools.reduce(arb.max, values, extremes[1])
+
+
+def bounds(value: arb) -> str:
+    """Say a ball."""
     return between(arb(value.lower()), arb(value.upper()), DIGITS)
 
 

@@ -18,6 +18,8 @@ from trimmer.proof.following import RADIUS, BallMotion, Followed, identity
 from trimmer.proof.outcome import UndecidedError
 
 MOST_ITERATIONS = 30
+NOTHING = arb(1e-12)
+"""A modulus below this is told as between 0 and this: how wide balls are is no result."""
 
 
 @dataclass(frozen=True)
@@ -182,7 +184,7 @@ def multipliers_of(motion: BallMotion, over: Followed) -> tuple[bool | None, str
         scaled = scaled - along * (kept * along).inv() * (kept * scaled)
     lower, upper = _largest_modulus(scaled)
     stable = True if upper < 1 else False if lower > 1 else None
-    return stable, between(lower, upper)
+    return stable, between(arb(0), NOTHING) if upper < NOTHING else between(lower, upper)
 
 
 def _largest_modulus(table: arb_mat) -> tuple[arb, arb]:

@@ -15,11 +15,11 @@ from dataclasses import dataclass
 from flint import arb, arb_mat, ctx
 
 from trimmer.proof.balls import about, exact, real
-from trimmer.proof.between_events import require_no_other_events
 from trimmer.proof.following import BallMotion, Followed, identity
 from trimmer.proof.form import require_form, require_rest_at_start, require_shortest
 from trimmer.proof.orbit_check import require_near, taken_as_zero, unchecked
 from trimmer.proof.outcome import RefutedError, UndecidedError
+from trimmer.proof.readings import readings
 from trimmer.proof.returning import (
     Plane,
     Returned,
@@ -122,7 +122,7 @@ def _checked(motion: BallMotion, data: StatedSpecialPoint) -> str:
         raise RefutedError(f"the {data.kind} nearest to it is at {float(value.mid())!r}")
     whole = motion.at(piece.unknown[-1])
     require_rest_at_start(whole, piece.unknown)
-    require_no_other_events(whole, piece.over)
+    readings(whole, piece.over, ())
     if not data.motion.signs:
         require_shortest(whole, piece.over)
     if branch.sign(guess, height - half, piece) == branch.sign(guess, height + half, piece):

@@ -6,7 +6,7 @@ States come first, then what forces them; together they are Z. ``typed`` of ``js
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 Row = tuple[float, ...]
 Table = tuple[Row, ...]
@@ -212,12 +212,54 @@ class OrbitReadings:
     functionals: tuple[Functional, ...]
 
     def __post_init__(self) -> None:
-        equations, course = self.orbit.equations, self.orbit.motion
-        size = len(course.state) + len(equations.forcing)
-        for each in self.functionals:
-            _require(_is(each.rows, len(equations.modes), size), "a functional does not fit the modes")
-            ends = range(len(course.segments) - 1)
-            _require(all(k in ends for k in each.before), "a functional is told before an event that is none")
+        events = len(self.orbit.motion.segments) - 1
+        _require_reads(self.functionals, self.orbit.motion, self.orbit.equations, events)
+
+
+def _require_reads(
+    functionals: tuple[Functional, ...], course: Course, equations: Equations, ends: int
+) -> None:
+    size = len(course.state) + len(equations.forcing)
+    for each in functionals:
+        _require(_is(each.rows, len(equations.modes), size), "a functional does not fit the modes")
+        known = all(0 <= k < ends for k in each.before)
+        _require(known, "a functional is told before an event that is none")
+
+
+@dataclass(frozen=True)
+class StatedMotion:
+    """That a system moves so from a state: events, and what is read of it.
+
+    What forces the states are states too, but for a one.
+
+    Attributes:
+        motion: It; its last segment ends at a time.
+        equations: Each reset once.
+        jumps: Which of the resets stands before each segment.
+        functionals: What is read; before the last segment ends is at the end.
+        levels: Functionals whose zeros are told.
+    """
+
+    motion: Course
+    equations: Equations
+    jumps: tuple[int, ...]
+    functionals: tuple[Functional, ...]
+    levels: tuple[Functional, ...]
+
+    def __post_init__(self) -> None:
+        course, count = self.motion, len(self.motion.segments)
+        known = all(0 <= k < len(self.equations.resets) for k in self.jumps)
+        _require(known and len(self.jumps) == count > 0, "there is not one reset for each segment")
+        course.require_fits(self.whole)
+        free = self.equations.period is None and self.equations.forcing == (1.0,)
+        free = free and not (course.signs or course.shifts or course.clock)
+        _require(free, "a motion from a state has neither period, signs, shifts nor clock")
+        _require_reads((*self.functionals, *self.levels), course, self.equations, count)
+
+    @property
+    def whole(self) -> Equations:
+        """The equations with a reset for each segment."""
+        return replace(self.equations, resets=tuple(self.equations.resets[k] for k in self.jumps))
 
 
 @dataclass(frozen=True)
