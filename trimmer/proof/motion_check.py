@@ -58,7 +58,7 @@ def _theorem(motion: BallMotion, data: StatedMotion, instants: list[str], told: 
     when = f" Counted with all else that happens, they come at: {'; '.join(instants)}." if instants else ""
     return (
         f"The system that is linear between events, with the modes of this file {unchecked(course.about)} "
-        "and what it says of the states after each event, its numbers taken as exact, moves from the state "
-        f"of this file{moving} for {end!r} s with the {len(instants)} events of this file in its order and "
-        f"no other.{when}{changes}{taken_as_zero(motion)}{told}"
+        "and what it says of modes and states after each event, its numbers taken as exact, moves from the "
+        f"state of this file{moving} for {end!r} s with the {len(instants)} events of this file in its "
+        f"order and no other.{when}{changes}{taken_as_zero(motion)}{told}"
     )

@@ -129,9 +129,10 @@ def prove_motion(
 ) -> Proof:
     """Prove that a system moves so from a state: with these events and no other, over a time.
 
-    What is taken for granted are the equations of each mode, what becomes of the states at each event, and
-    what a controller's clock or a reference makes of them at which times. The state is a point, and so the
-    motion is the only one.
+    What is taken for granted are the equations of each mode, which mode follows an event and what becomes of
+    the states there, and what a controller's clock or a reference makes of them at which times. Each mode is
+    held against its event functions from there on. Where several frictions come to rest at one instant,
+    another mode may be as right.
 
     Args:
         system: The mechanism or loop.
