@@ -36,7 +36,7 @@ def told(proof: Proof, pattern: str) -> list[tuple[float, float]]:
 def proven_and_confirmed(seed: int) -> bool:
     """Prove a motion of a random machine from rest; where proven, brute force has its events and its end.
 
-    Where several frictions decide at one instant, brute force may have decided otherwise: of 5000 to 5149 one.
+    Where several frictions decide at one instant, brute force may decide otherwise: so in one of 70.
     """
     mechanism = random_mechanism(seed)
     duration = PERIODS / mechanism.frequency
