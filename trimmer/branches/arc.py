@@ -12,12 +12,9 @@ import scipy.optimize
 from trimmer.arrays import Reals
 from trimmer.branches.orbit import Place, Problem
 
-NARROWEST = 1e-13
-"""Distance along the branch, in its coordinates without units, to which a point is located."""
-STEEPEST = 4.0
-"""How much steeper than its chord a smooth curve may be on a part of it."""
-APART = 1e-7
-"""Distance of orbits that rounding can bring about where slope and plane are all but singular."""
+NARROWEST = 1e-13  # Distance along the branch, in its coordinates without units, to which a point is located
+STEEPEST = 4.0  # How much steeper than its chord a smooth curve may be on a part of it
+APART = 1e-7  # Distance of orbits that rounding can bring about where slope and plane are all but singular
 ROUNDING = 4.0 * float(np.finfo(float).eps)
 
 
@@ -27,17 +24,11 @@ class LostError(Exception):
 
 @dataclass(frozen=True, eq=False)
 class Arc:
-    """The piece of a branch beyond a point, seen along a direction.
+    """The piece of a branch beyond a point, seen along a direction."""
 
-    Attributes:
-        problem: The orbits and their scale.
-        origin: Coordinates of the point, shape (n + 1,).
-        direction: A unit vector, shape (n + 1,).
-    """
-
-    problem: Problem
-    origin: Reals
-    direction: Reals
+    problem: Problem  # The orbits and their scale
+    origin: Reals  # Coordinates of the point, shape (n + 1,)
+    direction: Reals  # A unit vector, shape (n + 1,)
 
     def distance(self, place: Place) -> float:
         """Return how far a place is along the direction."""

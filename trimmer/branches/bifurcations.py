@@ -16,13 +16,10 @@ from trimmer.branches.arc import Arc, LostError
 from trimmer.branches.orbit import Place, pairs
 from trimmer.branches.special import SpecialKind, SpecialPoint
 
-STRAIGHT = 0.9
-"""Least cosine of the angle between the chord of a smooth piece and the tangents at its ends."""
-SHORTEST = 1e-7
-"""Length of a piece, below which rounding decides on the direction of its chord."""
+STRAIGHT = 0.9  # Least cosine of the angle between the chord of a smooth piece and the tangents at its ends
+SHORTEST = 1e-7  # Length of a piece, below which rounding decides on the direction of its chord
 MOST_SPLITS = 6
-JUMPING = 1e-3
-"""Share of its values at the ends that a test function has where it jumps past zero."""
+JUMPING = 1e-3  # Share of its values at the ends that a test function has where it jumps past zero
 TOUCHING = 0.3
 """Depth of the lowest point of a test function, relative to its ends, below which it may touch zero."""
 
@@ -37,17 +34,11 @@ TESTED = (
 
 @dataclass(frozen=True, eq=False)
 class Bifurcation:
-    """A bifurcation on a branch.
+    """A bifurcation on a branch."""
 
-    Attributes:
-        point: What is told of it.
-        place: The orbit.
-        switches: Whether another branch parts there that can be followed.
-    """
-
-    point: SpecialPoint
-    place: Place
-    switches: bool
+    point: SpecialPoint  # What is told of it
+    place: Place  # The orbit
+    switches: bool  # Whether another branch parts there that can be followed
 
 
 def straight(arc: Arc, near: Place, far: Place) -> bool:

@@ -12,27 +12,19 @@ from trimmer.branches.orbit import Place
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.motion.part import Phase
 
-MOST_BORDERS = 12
-"""Changes of phases on one step, beyond which the step is shortened."""
-CONTINUOUS = 1e-9
-"""Distance of the orbits on both sides of a border, beyond which the branch is torn."""
-IMPACT = 1e3
-"""Largest multiplier beyond which it is that of an impact almost without speed."""
+MOST_BORDERS = 12  # Changes of phases on one step, beyond which the step is shortened
+CONTINUOUS = 1e-9  # Distance of the orbits on both sides of a border, beyond which the branch is torn
+IMPACT = 1e3  # Largest multiplier beyond which it is that of an impact almost without speed
 DISTINCT = 1.5
 """Ratio of the speeds of two impacts, beyond which a line through them tells well where there is none."""
 
 
 @dataclass(frozen=True, eq=False)
 class Border:
-    """Two neighbouring orbits with different phases.
+    """Two neighbouring orbits with different phases."""
 
-    Attributes:
-        before: The one that comes first on the branch.
-        after: The other.
-    """
-
-    before: Place
-    after: Place
+    before: Place  # The one that comes first on the branch
+    after: Place  # The other
 
     @property
     def changes(self) -> dict[tuple[str, Phase], int]:

@@ -10,8 +10,7 @@ from trimmer.branches.period_maps.period_map import Signature
 from trimmer.branches.special import SpecialPoint
 from trimmer.choices import Choice
 
-NEUTRAL = 1e-9
-"""Distance from the unit circle that rounding can give a multiplier."""
+NEUTRAL = 1e-9  # Distance from the unit circle that rounding can give a multiplier
 
 
 class BranchEnd(Choice):
@@ -52,21 +51,13 @@ class BranchEnd(Choice):
 
 @dataclass(frozen=True, eq=False)
 class BranchPoint:
-    """An orbit on a branch.
+    """An orbit on a branch."""
 
-    Attributes:
-        value: Value of the number that is varied.
-        state: State at the start of a drive period, shape (n,).
-        multipliers: Floquet multipliers of the whole period by falling modulus, shape (n,).
-        signature: The phases that begin during a passage.
-        events: Events during a period, a number.
-    """
-
-    value: float
-    state: Reals
-    multipliers: Complexes
-    signature: Signature
-    events: int
+    value: float  # Value of the number that is varied
+    state: Reals  # State at the start of a drive period, shape (n,)
+    multipliers: Complexes  # Floquet multipliers of the whole period by falling modulus, shape (n,)
+    signature: Signature  # The phases that begin during a passage
+    events: int  # Events during a period, a number
 
     @cached_property
     def stable(self) -> bool:
@@ -76,26 +67,18 @@ class BranchPoint:
 
 @dataclass(frozen=True, eq=False)
 class Branch:
-    """A branch of periodic orbits.
+    """A branch of periodic orbits."""
 
-    Attributes:
-        points: The orbits, in the order in which they were followed.
-        special: The special points, in the same order.
-        reason: Why the branch ends.
-        message: The same as a sentence, with the value at which it ends.
-        branches: Branches that part from this one at period doubling and symmetry breaking, and those that
-            it joins there.
-        parted: The special point at which this one parts from another; None if it was begun by itself.
-        doublings: How often the passage is doubled where the branch begins; once less, perhaps, where it has
-            gone on along the symmetric branch.
-    """
-
-    points: tuple[BranchPoint, ...]
-    special: tuple[SpecialPoint, ...]
-    reason: BranchEnd
-    message: str
+    points: tuple[BranchPoint, ...]  # The orbits, in the order in which they were followed
+    special: tuple[SpecialPoint, ...]  # The special points, in the same order
+    reason: BranchEnd  # Why the branch ends
+    message: str  # The same as a sentence, with the value at which it ends
+    # Branches that part from this one at period doubling and symmetry breaking, and those that it joins there
     branches: tuple[Branch, ...] = ()
+    # The special point at which this one parts from another; None if it was begun by itself
     parted: SpecialPoint | None = None
+    # How often the passage is doubled where the branch begins; once less, perhaps, where it has gone on along
+    # the symmetric branch
     doublings: int = 0
 
     @property

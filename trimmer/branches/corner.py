@@ -13,10 +13,8 @@ from trimmer.branches.step import Front, Step, angle, fold_at
 
 REACHES = (1e-10, 1e-9, 1e-8, 1e-7, 1e-6)
 """Distances beyond the last orbit at which the other side of the border is looked for."""
-JUMP = 1e-6
-"""Miss of a passage from just beyond an orbit that shows that the map jumps there."""
-NEARBY = 30.0
-"""Largest distance of the first orbit behind the corner, in reaches."""
+JUMP = 1e-6  # Miss of a passage from just beyond an orbit that shows that the map jumps there
+NEARBY = 30.0  # Largest distance of the first orbit behind the corner, in reaches
 
 
 def turned(front: Front) -> Step | None:

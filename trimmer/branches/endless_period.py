@@ -13,10 +13,8 @@ import numpy as np
 
 from trimmer.arrays import Reals
 
-GROWN = 4.0
-"""Factor by which the period has grown along the branch, at least."""
-SPACING = 0.85
-"""Factor between the periods at which the law is asked."""
+GROWN = 4.0  # Factor by which the period has grown along the branch, at least
+SPACING = 0.85  # Factor between the periods at which the law is asked
 SHARES = np.arange(1.0, 5.0) / 4.0
 """Shares of the longest period at which it is asked whether the law is the logarithm's: of an inverse one the
 steps between them would be as 6 : 2 : 1."""
@@ -24,27 +22,18 @@ LATE = np.array([0.7, 0.8, 0.9, 1.0])
 """Shares of the longest period from which its limit is extrapolated then."""
 EVEN = 0.1
 """Share by which ratios of steps differ at most from one to the next where the law is the logarithm's."""
-NEAR = 0.1
-"""Share of the branch within which its end is extrapolated."""
-SURE = 0.1
-"""Largest uncertainty, as a share of the distance over which is extrapolated."""
+NEAR = 0.1  # Share of the branch within which its end is extrapolated
+SURE = 0.1  # Largest uncertainty, as a share of the distance over which is extrapolated
 
 
 @dataclass(frozen=True)
 class EndlessPeriod:
-    """Where a period grows without bound.
+    """Where a period grows without bound."""
 
-    Attributes:
-        value: Value of the number that is varied.
-        uncertainty: By how much extrapolations from different orbits differ.
-        logarithmic: Whether the period grows like a logarithm, not like an inverse.
-        period: The longest that was found, s.
-    """
-
-    value: float
-    uncertainty: float
-    logarithmic: bool
-    period: float
+    value: float  # Value of the number that is varied
+    uncertainty: float  # By how much extrapolations from different orbits differ
+    logarithmic: bool  # Whether the period grows like a logarithm, not like an inverse
+    period: float  # The longest that was found, s
 
     @property
     def told(self) -> str:

@@ -16,10 +16,8 @@ from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.branches.step import Front, begun, halves
 
-BEGINNING = 1e-6
-"""Distance from the bifurcation at which the other branch begins, in values without units."""
-EXACT = 1e-14
-"""Change of a value without units that ends its location."""
+BEGINNING = 1e-6  # Distance from the bifurcation at which the other branch begins, in values without units
+EXACT = 1e-14  # Change of a value without units that ends its location
 NEARBY = 1e-2
 """Largest distance of the bifurcation from where the doubled orbits show it, in values without units."""
 MOST_ITERATIONS = 30

@@ -12,22 +12,17 @@ from trimmer.branches.orbit import Problem
 from trimmer.branches.period_maps.period_map import PeriodMap
 from trimmer.one_orbit import SAME, same_states
 
-FARTHEST = 0.1
-"""Distance in all coordinates within which a branch that has joined another may have done so."""
+FARTHEST = 0.1  # Distance in all coordinates within which a branch that has joined another may have done so
 
 
 @dataclass
 class Known:
-    """What is known of the branches so far.
+    """What is known of the branches so far."""
 
-    Attributes:
-        lowest: How often the passage was doubled at least on a branch that is followed.
-        ends: Orbits at the ends of the interval, with how often their passage was doubled.
-        rejoined: The last orbits of branches that joined another, with the same.
-    """
-
-    lowest: int
+    lowest: int  # How often the passage was doubled at least on a branch that is followed
+    # Orbits at the ends of the interval, with how often their passage was doubled
     ends: list[tuple[int, BranchPoint]] = field(default_factory=list)
+    # The last orbits of branches that joined another, with the same
     rejoined: list[tuple[int, BranchPoint]] = field(default_factory=list)
 
     def is_joined(self, problem: Problem, bifurcation: Bifurcation, largest_step: float) -> bool:

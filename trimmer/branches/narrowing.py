@@ -18,16 +18,11 @@ from trimmer.branches.orbit import Place
 from trimmer.motion.part import Phase
 
 MOST_TRIALS = 70
-POWERS = (1, 2)
-"""Lowest powers of the duration that the distance may hold."""
-ACCURATE = 0.1
-"""How much better the distance is known than it changes by the last orbit."""
-SHRUNK = 0.25
-"""Share to which four trials must bring the piece, else it is halved."""
-INSIDE = 0.2
-"""Share of the piece at which a second orbit with the phase is looked for."""
-WIDENED = 10.0
-"""By how much a trial goes farther beyond the border where the one before did not pass it."""
+POWERS = (1, 2)  # Lowest powers of the duration that the distance may hold
+ACCURATE = 0.1  # How much better the distance is known than it changes by the last orbit
+SHRUNK = 0.25  # Share to which four trials must bring the piece, else it is halved
+INSIDE = 0.2  # Share of the piece at which a second orbit with the phase is looked for
+WIDENED = 10.0  # By how much a trial goes farther beyond the border where the one before did not pass it
 
 
 def narrowed(arc: Arc, left: Place, right: Place) -> tuple[Place, Place] | None:

@@ -14,39 +14,27 @@ from trimmer.branches.branch import BranchEnd
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.special import SpecialKind, SpecialPoint
 
-FARTHEST_ASIDE = 1.0
-"""Largest distance of an orbit from the tangent, relative to that along it."""
+FARTHEST_ASIDE = 1.0  # Largest distance of an orbit from the tangent, relative to that along it
 MOST_CURVED = 0.1
 """Distance of the next orbit from the tangent, relative to that along it, up to which it is foreseen."""
-STEEP = 0.1
-"""Share of the value in the tangent from which on orbits are sought at given values."""
-TOWARDS_BORDER = (1e-4, 1e-2)
-"""Shares of a smooth piece at which it is looked at next to a change of phases."""
+STEEP = 0.1  # Share of the value in the tangent from which on orbits are sought at given values
+TOWARDS_BORDER = (1e-4, 1e-2)  # Shares of a smooth piece at which it is looked at next to a change of phases
 CLOSE_TO_JOINT = 2e-4
 """Length of a step in all coordinates within which a branch is taken to where it joins another."""
-SINGLE = 1e-8
-"""Difference between the halves of a doubled orbit, below which it is a single one."""
+SINGLE = 1e-8  # Difference between the halves of a doubled orbit, below which it is a single one
 OPPOSITE = -0.9
 """Cosine of an angle beyond which two differences between the halves of a doubled orbit are opposite."""
 
 
 @dataclass(frozen=True, eq=False)
 class Front:
-    """How far a branch has been followed.
+    """How far a branch has been followed."""
 
-    Attributes:
-        problem: The orbits and their scale.
-        place: The last orbit.
-        tangent: Unit tangent in the direction of travel, shape (n + 1,).
-        turn: Sign of the determinant of slope and tangent.
-        before: The orbit before it on the same smooth piece, None if there is none.
-    """
-
-    problem: Problem
-    place: Place
-    tangent: Reals
-    turn: float
-    before: Place | None = None
+    problem: Problem  # The orbits and their scale
+    place: Place  # The last orbit
+    tangent: Reals  # Unit tangent in the direction of travel, shape (n + 1,)
+    turn: float  # Sign of the determinant of slope and tangent
+    before: Place | None = None  # The orbit before it on the same smooth piece, None if there is none
 
     @property
     def direction(self) -> Reals:
@@ -70,22 +58,14 @@ def begun(problem: Problem, place: Place, tangent: Reals) -> Front:
 
 @dataclass(frozen=True, eq=False)
 class Step:
-    """A step along a branch.
+    """A step along a branch."""
 
-    Attributes:
-        front: The front after it.
-        special: The special points on it, in their order.
-        switches: The bifurcations among them at which another branch parts.
-        bend: Angle between the tangents before and after it, rad.
-        ended: Why the branch ends with it; None if it goes on.
-        beyond: A doubled orbit on the other side of the branch that it joins; None if it joins none.
-    """
-
-    front: Front
-    special: tuple[SpecialPoint, ...]
-    switches: tuple[Bifurcation, ...]
-    bend: float
-    ended: BranchEnd | None = None
+    front: Front  # The front after it
+    special: tuple[SpecialPoint, ...]  # The special points on it, in their order
+    switches: tuple[Bifurcation, ...]  # The bifurcations among them at which another branch parts
+    bend: float  # Angle between the tangents before and after it, rad
+    ended: BranchEnd | None = None  # Why the branch ends with it; None if it goes on
+    # A doubled orbit on the other side of the branch that it joins; None if it joins none
     beyond: Place | None = None
 
 

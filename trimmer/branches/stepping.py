@@ -16,37 +16,23 @@ from trimmer.branches.settings import FollowSettings
 from trimmer.branches.step import Front, Step, begun, step
 from trimmer.one_orbit import SAME
 
-FIRST = 1e-3
-"""Length of the first step."""
-SMALLEST = 2e-12
-"""Length below which a step is not shortened any more."""
-LARGEST_MOVE = 0.1
-"""Largest length of a step in all coordinates."""
-BEND = 0.15
-"""Angle between the tangents before and after a step, rad, at which its length is right."""
-LENGTHENED = 2.0
-"""Most by which a step is longer than the one before."""
-AFTER_CORNER = 1e-3
-"""Length of the step after a corner."""
-LEAST_SIZE = 1e-2
-"""Least scale of a state, relative to the largest that it had on the branch."""
-NEAR = 0.1
-"""Distance of an orbit from the chord of two, as a share of it, within which a branch may pass it."""
-AT_END = 1e-12
-"""Distance from an end of the interval, as a share of it, within which a value is that end."""
+FIRST = 1e-3  # Length of the first step
+SMALLEST = 2e-12  # Length below which a step is not shortened any more
+LARGEST_MOVE = 0.1  # Largest length of a step in all coordinates
+BEND = 0.15  # Angle between the tangents before and after a step, rad, at which its length is right
+LENGTHENED = 2.0  # Most by which a step is longer than the one before
+AFTER_CORNER = 1e-3  # Length of the step after a corner
+LEAST_SIZE = 1e-2  # Least scale of a state, relative to the largest that it had on the branch
+NEAR = 0.1  # Distance of an orbit from the chord of two, as a share of it, within which a branch may pass it
+AT_END = 1e-12  # Distance from an end of the interval, as a share of it, within which a value is that end
 
 
 @dataclass(frozen=True)
 class Interval:
-    """The values over which a branch is followed.
+    """The values over which a branch is followed."""
 
-    Attributes:
-        start: Where it begins.
-        stop: The other end.
-    """
-
-    start: float
-    stop: float
+    start: float  # Where it begins
+    stop: float  # The other end
 
     @property
     def span(self) -> float:
@@ -65,17 +51,11 @@ class Interval:
 
 @dataclass(frozen=True)
 class Limits:
-    """The interval of a branch, and how it is followed.
+    """The interval of a branch, and how it is followed."""
 
-    Attributes:
-        interval: The values.
-        settings: How it is followed.
-        smooth: Whether bifurcations are looked for too, and not only where phases change.
-    """
-
-    interval: Interval
-    settings: FollowSettings
-    smooth: bool = True
+    interval: Interval  # The values
+    settings: FollowSettings  # How it is followed
+    smooth: bool = True  # Whether bifurcations are looked for too, and not only where phases change
 
 
 def steps(front: Front, limits: Limits, count: int) -> Iterator[tuple[Step, Problem] | BranchEnd]:

@@ -13,8 +13,7 @@ from trimmer.branches.step import Front, begun
 
 DISTANCES = (3e-5, 1e-4, 1e-3, 1e-2)
 """Distances from the bifurcation at which the first orbit of the other branch is sought, in their order."""
-ASIDE = 0.5
-"""Largest distance of that orbit from where it was sought, relative to the distance."""
+ASIDE = 0.5  # Largest distance of that orbit from where it was sought, relative to the distance
 
 
 def parted_fronts(problem: Problem, bifurcation: Bifurcation) -> list[Front]:

@@ -34,8 +34,7 @@ from trimmer.contact.statuses import (
 from trimmer.hybrid.dry_friction import elementary_vectors, independent
 from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, NO_STATE, STRUCK, EventFunction, ModeEquations
 
-PUSHING = (PLUS, MINUS, ALWAYS)
-"""Statuses of a contact that exerts a force."""
+PUSHING = (PLUS, MINUS, ALWAYS)  # Statuses of a contact that exerts a force
 SIDES = {PLUS: 1, RELEASED_PLUS: 1, MINUS: -1, RELEASED_MINUS: -1}
 """Statuses of a contact on either side of the slot."""
 MOST_KEPT = 250_000
@@ -45,38 +44,24 @@ ROUNDING = 16 * float(np.finfo(float).eps)
 
 
 class _Holding(NamedTuple):
-    """What holds in a mode, whatever the status of all else: frictions that stick, and walls at rest.
+    """What holds in a mode, whatever the status of all else: frictions that stick, and walls at rest."""
 
-    Attributes:
-        tree: Numbers of the holds that hold the others too.
-        rates: Their velocities as functionals, (t, N).
-        push: Accelerations by their forces, (t, n).
-        inverse: Of what one accelerates another, (t, t).
-        shares: Moduli of what makes velocities fit what is held, (n, N).
-        fitted: Velocities that fit it, (n, N).
-        limits: Of each way in which it ends: part, directions, which sums of forces, and their limit, N.
-    """
-
-    tree: Places
-    rates: Reals
-    push: Reals
-    inverse: Reals
-    shares: Reals
-    fitted: Reals
+    tree: Places  # Numbers of the holds that hold the others too
+    rates: Reals  # Their velocities as functionals, (t, N)
+    push: Reals  # Accelerations by their forces, (t, n)
+    inverse: Reals  # Of what one accelerates another, (t, t)
+    shares: Reals  # Moduli of what makes velocities fit what is held, (n, N)
+    fitted: Reals  # Velocities that fit it, (n, N)
+    # Of each way in which it ends: part, directions, which sums of forces, and their limit, N
     limits: tuple[tuple[int, tuple[int, ...], Reals, float], ...]
 
 
 @dataclass(frozen=True, eq=False)
 class Assembler:
-    """Makes the modes of a machine, and keeps what several of them share.
+    """Makes the modes of a machine, and keeps what several of them share."""
 
-    Attributes:
-        machine: The mechanism.
-        period: That of the drive, s; 1 without one.
-    """
-
-    machine: Machine
-    period: float = 1.0
+    machine: Machine  # The mechanism
+    period: float = 1.0  # That of the drive, s; 1 without one
     _of_contact: dict[tuple[int, int], tuple[EventFunction, ...]] = field(default_factory=dict, init=False)
     _holdings: dict[tuple[int, ...], _Holding] = field(default_factory=dict, init=False)
 

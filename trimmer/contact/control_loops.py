@@ -38,31 +38,22 @@ GROWS = 1e-7
 """Real part of an eigenvalue, as a share of the largest one, up to which it may be rounding of zeros."""
 UNDAMPED = 1e-10
 """Real part over modulus of an eigenvalue up to which it dies out no more than rounding tells."""
-ROUNDING = 1e-13
-"""Of an eigenvalue about 1 from sample to sample."""
-BEYOND = 1e3
-"""How far beyond the slowest and the fastest eigenvalue crossings are sought."""
+ROUNDING = 1e-13  # Of an eigenvalue about 1 from sample to sample
+BEYOND = 1e3  # How far beyond the slowest and the fastest eigenvalue crossings are sought
 A_DECADE = 200
 """Frequencies in each decade between which a crossing is sought, beside those about each resonance."""
 
 
 @dataclass(frozen=True, eq=False)
 class ControlLoops:
-    """The linear loops of a machine.
+    """The linear loops of a machine."""
 
-    Attributes:
-        rates: Eigenvalues with all loops closed, 1/s.
-        grows: The fastest rate of growth, 1/s; 0 if nothing grows.
-        marginal: What neither dies nor grows like an exponential, without a full stop; empty if all dies out.
-        opened: The loop of each controller, opened at its force; by its name.
-        sample: At which it is sampled, s; None of continuous ones.
-    """
-
-    rates: Complexes
-    grows: float
+    rates: Complexes  # Eigenvalues with all loops closed, 1/s
+    grows: float  # The fastest rate of growth, 1/s; 0 if nothing grows
+    # What neither dies nor grows like an exponential, without a full stop; empty if all dies out
     marginal: str
-    opened: dict[str, OpenedLoop]
-    sample: float | None = None
+    opened: dict[str, OpenedLoop]  # The loop of each controller, opened at its force; by its name
+    sample: float | None = None  # At which it is sampled, s; None of continuous ones
 
     @cached_property
     def loops(self) -> dict[str, Margins]:
@@ -240,19 +231,12 @@ def _named(layout: Layout, place: int) -> str:
 
 @dataclass(frozen=True, eq=False)
 class OpenedLoop:
-    """A loop that is opened: from what acts, or is demanded at a sample, to what is demanded.
+    """A loop that is opened: from what acts, or is demanded at a sample, to what is demanded."""
 
-    Attributes:
-        matrix: A of x' = A x, or M of x <- M x, (n, n).
-        given: What acts on the states, (n,).
-        read: What is demanded of them, (n,).
-        sample: s; None of a continuous controller.
-    """
-
-    matrix: Reals
-    given: Reals
-    read: Reals
-    sample: float | None = None
+    matrix: Reals  # A of x' = A x, or M of x <- M x, (n, n)
+    given: Reals  # What acts on the states, (n,)
+    read: Reals  # What is demanded of them, (n,)
+    sample: float | None = None  # s; None of a continuous controller
 
     def ratio(self, omega: float) -> complex:
         """Return L at an angular frequency, rad/s."""

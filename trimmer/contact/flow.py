@@ -71,12 +71,9 @@ from trimmer.sides import DIFFERENT
 
 NEGLIGIBLE = 1e-9
 """Share of the largest velocity of a motion, or eigenvalue of a matrix, below which another may be none."""
-NO_MORE = 1e-14
-"""Share of the largest displacement or velocity up to which another one is rounding."""
-STRETCHED = 1e-2
-"""Least scale of the stretch of a relaxing spring, relative to the largest displacement."""
-ROUNDING = 64 * float(np.finfo(float).eps)
-"""Rounding of a sum as a share of the moduli of its terms."""
+NO_MORE = 1e-14  # Share of the largest displacement or velocity up to which another one is rounding
+STRETCHED = 1e-2  # Least scale of the stretch of a relaxing spring, relative to the largest displacement
+ROUNDING = 64 * float(np.finfo(float).eps)  # Rounding of a sum as a share of the moduli of its terms
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,14 +82,10 @@ class MechanismFlow(Flow):
 
     The state of n entries holds the coordinates, m, their velocities, m/s, and the stretches
     of relaxing springs, m, plays before stops, in the order of the mechanism.
-
-    Attributes:
-        mechanism: The mechanism.
-        frame: In which displacements are; that of the ground if not given.
     """
 
-    mechanism: Mechanism
-    frame: Frame | None = None
+    mechanism: Mechanism  # The mechanism
+    frame: Frame | None = None  # In which displacements are; that of the ground if not given
 
     @classmethod
     def returning(cls, mechanism: Mechanism) -> MechanismFlow:

@@ -25,27 +25,21 @@ from trimmer.mechanism.elimination import solutions
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import ContactLaw, Link, OutputKind, Play, Stop, Wall
 
-SAME = 1e-12
-"""Difference of two velocities, as a share of the largest one, that is taken for rounding."""
+SAME = 1e-12  # Difference of two velocities, as a share of the largest one, that is taken for rounding
 
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """How a frame moves at each of n coordinates.
+    """How a frame moves at each of n coordinates."""
 
-    Attributes:
-        leading: Numbers of the leaders, one for each of s directions along which nothing holds, (s,).
-        directions: Those directions, (n, s), for a shift of the leader by 1 and of the other leaders by 0.
-        velocities: Constant velocity at each coordinate, m/s, (n,); of a frame that follows, beyond that
-            along the directions.
-        follows: Whether the frame moves as the leaders do.
-        pulled: Whether parts are stretched for ever, since pins move away from each other or from the ground.
-    """
-
-    leading: Integers
+    leading: Integers  # Numbers of the leaders, one for each of s directions along which nothing holds, (s,)
+    # Those directions, (n, s), for a shift of the leader by 1 and of the other leaders by 0
     directions: Reals
+    # Constant velocity at each coordinate, m/s, (n,); of a frame that follows, beyond that along the
+    # directions
     velocities: Reals
-    follows: bool
+    follows: bool  # Whether the frame moves as the leaders do
+    # Whether parts are stretched for ever, since pins move away from each other or from the ground
     pulled: bool
 
     def reduced(self, states: Reals) -> Reals:

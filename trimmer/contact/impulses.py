@@ -12,8 +12,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.contact.machine import Machine
 
-NEARLY = 2.0**-44
-"""Share of the moduli of its terms below which a distance or a rate is zero."""
+NEARLY = 2.0**-44  # Share of the moduli of its terms below which a distance or a rate is zero
 
 
 def first_wall(machine: Machine) -> int:

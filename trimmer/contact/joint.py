@@ -16,8 +16,7 @@ from trimmer.contact.statuses import BACKWARD, FORWARD, LOOSE, RESTS, STICK
 from trimmer.hybrid.dry_friction import complementary_forces
 from trimmer.hybrid.system import ARRIVED, EventFunction
 
-NOISE = 2.0**-49
-"""Rounding of an acceleration as a share of the moduli of its terms."""
+NOISE = 2.0**-49  # Rounding of an acceleration as a share of the moduli of its terms
 
 
 def after_event(

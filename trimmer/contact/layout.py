@@ -37,59 +37,40 @@ from trimmer.mechanism.waves import mean_of
 
 SMALLEST_SHARE = 1e-4
 """Share of the largest displacement, velocity or stretch below which none is measured by itself."""
-STILL = 1e-1
-"""Share of a displacement, or of its rate at the frequency of the motion, that counts as rest."""
+STILL = 1e-1  # Share of a displacement, or of its rate at the frequency of the motion, that counts as rest
 
 
 @dataclass(frozen=True, eq=False)
 class Layout:
-    """Names and places in the extended state.
+    """Names and places in the extended state."""
 
-    Attributes:
-        coordinates: Names of the coordinates.
-        contacts: Names of plays and stops that exert a force.
-        frictions: Names of the frictions that exert a force.
-        curves: Section and name of the parts with a curve.
-        walls: Names of the walls.
-        relaxing: Names of those contacts whose z is a state.
-        controllers: Names of the continuous controllers.
-        controls: Name of the controller and of the state, of each state of controllers.
-        held: What each sampled controller holds, by name.
-        orders: Multiples of the drive's frequency that occur; not whole where other drives give them.
-        drives: What drives it beside that.
-        profiles: Profiles of forces and references that occur; entries are the value of each and its rate.
-        ramp: Whether the time is an entry.
-        omega: Angular frequency of the drive, rad/s; 0 without one.
-        ends: Names of the ends.
-        end_rows: Displacements of the ends as functionals, (ends, N), without the share of a ramp that
-            nothing leans on.
-        shaken: Those ends whose accelerations are told: the coordinates, and in place of modes their points.
-        frame: That in which displacements are.
-        lengths: By which states are multiplied to be compared with others, (n,): 1, and of what turns a
-            length, m.
-        speeds: By name, how fast each end moves on beyond what its functional says, m/s: with the
-            frame, or as a pin that nothing leans on.
-    """
-
-    coordinates: tuple[str, ...]
-    contacts: tuple[str, ...]
-    frictions: tuple[str, ...]
-    curves: tuple[tuple[str, str], ...]
-    walls: tuple[str, ...]
-    relaxing: tuple[str, ...]
-    controllers: tuple[str, ...]
+    coordinates: tuple[str, ...]  # Names of the coordinates
+    contacts: tuple[str, ...]  # Names of plays and stops that exert a force
+    frictions: tuple[str, ...]  # Names of the frictions that exert a force
+    curves: tuple[tuple[str, str], ...]  # Section and name of the parts with a curve
+    walls: tuple[str, ...]  # Names of the walls
+    relaxing: tuple[str, ...]  # Names of those contacts whose z is a state
+    controllers: tuple[str, ...]  # Names of the continuous controllers
+    # Name of the controller and of the state, of each state of controllers
     controls: tuple[tuple[str, str], ...]
-    held: Mapping[str, Held]
+    held: Mapping[str, Held]  # What each sampled controller holds, by name
+    # Multiples of the drive's frequency that occur; not whole where other drives give them
     orders: tuple[float, ...]
-    drives: Drives
+    drives: Drives  # What drives it beside that
+    # Profiles of forces and references that occur; entries are the value of each and its rate
     profiles: tuple[Profile, ...]
-    ramp: bool
-    omega: float
-    ends: tuple[str, ...]
+    ramp: bool  # Whether the time is an entry
+    omega: float  # Angular frequency of the drive, rad/s; 0 without one
+    ends: tuple[str, ...]  # Names of the ends
+    # Displacements of the ends as functionals, (ends, N), without the share of a ramp that nothing leans on
     end_rows: Reals
+    # Those ends whose accelerations are told: the coordinates, and in place of modes their points
     shaken: tuple[str, ...]
-    frame: Frame
+    frame: Frame  # That in which displacements are
+    # By name, how fast each end moves on beyond what its functional says, m/s: with the frame, or as a pin
+    # that nothing leans on
     speeds: Mapping[str, float]
+    # By which states are multiplied to be compared with others, (n,): 1, and of what turns a length, m
     lengths: Reals
 
     @cached_property

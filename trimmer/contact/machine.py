@@ -22,68 +22,44 @@ _LAWS = {ContactLaw.RELAXING: RELAXES, ContactLaw.TRUNCATED: TRUNCATES, ContactL
 
 
 class Machine(NamedTuple):
-    """The numbers of a mechanism; n bodies, m contacts, p frictions, N entries of the extended state.
+    """The numbers of a mechanism; n bodies, m contacts, p frictions, N entries of the extended state."""
 
-    Attributes:
-        base: Flow without contacts and dry friction, (N, N).
-        contact_distance: s = end - start as functionals, (m, N).
-        contact_rate: Its rate, (m, N).
-        contact_push: Accelerations by a force of 1 N that pulls the ends together, (m, n).
-        stiffness, damping: Of the contacts, N/m and N s/m, (m,).
-        offsets: Distances at which contact begins on the plus side, and on the minus side with its sign, m,
-            infinite for none: (m, 2).
-        law: Contact laws, (m,).
-        relaxing_state: Place of z in the extended state, ``NO_STATE`` for none, (m,).
-        always: Whether a contact has no gap and so never ends, (m,).
-        friction_rate: Velocities of end relative to start as functionals, (p, N).
-        friction_push: Accelerations by a force of 1 N on the end, (p, n).
-        kinetic, static: Forces of the frictions, N, (p,).
-        curve_over: Distances or velocities that the forces of c curves go by, as functionals, (c, N).
-        curve_push: Accelerations by a force of 1 N that pulls the ends together, (c, n).
-        curve_knots: Where one segment ends and the next begins, infinite for none, (c, knots).
-        curve_by_speed: Whether each goes by a velocity, (c,).
-        curve_slopes, curve_heights: The force of a segment is slope x + height, N, (c, knots + 1).
-        wall_distance, wall_rate: end - start of w walls less the gap, and its rate, as functionals, (w, N).
-        wall_push: Accelerations by a force of 1 N on the end, (w, n).
-        restitution: Of the walls, (w,).
-        control_demand: What k controllers demand before their limits, as functionals, (k, N).
-        control_effect: Rates of the states by what is left of that, in N, (k, N).
-        control_tracking: Rates of the states by what the limit takes away, (k, N).
-        control_rest: What acts beside the share of what is left, as functionals, (k, N).
-        control_limit: Of the controllers, N, infinite for none, (k,).
-        control_through: That share, (k,).
-    """
-
-    base: Reals
-    contact_distance: Reals
-    contact_rate: Reals
-    contact_push: Reals
+    base: Reals  # Flow without contacts and dry friction, (N, N)
+    contact_distance: Reals  # s = end - start as functionals, (m, N)
+    contact_rate: Reals  # Its rate, (m, N)
+    contact_push: Reals  # Accelerations by a force of 1 N that pulls the ends together, (m, n)
+    # stiffness, damping: Of the contacts, N/m and N s/m, (m,)
     stiffness: Reals
     damping: Reals
+    # Distances at which contact begins on the plus side, and on the minus side with its sign, m, infinite for
+    # none: (m, 2)
     offsets: Reals
-    law: Integers
-    relaxing_state: Integers
-    always: Integers
-    friction_rate: Reals
-    friction_push: Reals
+    law: Integers  # Contact laws, (m,)
+    relaxing_state: Integers  # Place of z in the extended state, ``NO_STATE`` for none, (m,)
+    always: Integers  # Whether a contact has no gap and so never ends, (m,)
+    friction_rate: Reals  # Velocities of end relative to start as functionals, (p, N)
+    friction_push: Reals  # Accelerations by a force of 1 N on the end, (p, n)
+    # kinetic, static: Forces of the frictions, N, (p,)
     kinetic: Reals
     static: Reals
-    curve_over: Reals
-    curve_push: Reals
-    curve_knots: Reals
+    curve_over: Reals  # Distances or velocities that the forces of c curves go by, as functionals, (c, N)
+    curve_push: Reals  # Accelerations by a force of 1 N that pulls the ends together, (c, n)
+    curve_knots: Reals  # Where one segment ends and the next begins, infinite for none, (c, knots)
+    # curve_slopes, curve_heights: The force of a segment is slope x + height, N, (c, knots + 1)
     curve_slopes: Reals
     curve_heights: Reals
-    curve_by_speed: Integers
+    curve_by_speed: Integers  # Whether each goes by a velocity, (c,)
+    # wall_distance, wall_rate: end - start of w walls less the gap, and its rate, as functionals, (w, N)
     wall_distance: Reals
     wall_rate: Reals
-    wall_push: Reals
-    restitution: Reals
-    control_demand: Reals
-    control_effect: Reals
-    control_tracking: Reals
-    control_rest: Reals
-    control_limit: Reals
-    control_through: Reals
+    wall_push: Reals  # Accelerations by a force of 1 N on the end, (w, n)
+    restitution: Reals  # Of the walls, (w,)
+    control_demand: Reals  # What k controllers demand before their limits, as functionals, (k, N)
+    control_effect: Reals  # Rates of the states by what is left of that, in N, (k, N)
+    control_tracking: Reals  # Rates of the states by what the limit takes away, (k, N)
+    control_rest: Reals  # What acts beside the share of what is left, as functionals, (k, N)
+    control_limit: Reals  # Of the controllers, N, infinite for none, (k,)
+    control_through: Reals  # That share, (k,)
 
     def of_frictions(self, statuses: tuple[int, ...]) -> tuple[int, ...]:
         """Return the statuses of the frictions out of those of all parts."""

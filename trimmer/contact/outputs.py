@@ -120,19 +120,13 @@ def contact_force(modes: Modes[MechanismSystem], contact: int) -> Signal:
 
 @dataclass(frozen=True, eq=False)
 class HoldForce(OwnValues):
-    """The force of a friction or a wall, N.
+    """The force of a friction or a wall, N."""
 
-    Attributes:
-        modes: The modes.
-        number: Of the friction, or behind all of them of the wall.
-        smooth: Its share beside dry friction: the viscous one, and that of a curve beyond the force at rest.
-        known: Functionals of modes that were asked for.
-    """
-
-    modes: Modes[MechanismSystem]
-    number: int
+    modes: Modes[MechanismSystem]  # The modes
+    number: int  # Of the friction, or behind all of them of the wall
+    # Its share beside dry friction: the viscous one, and that of a curve beyond the force at rest
     smooth: Signal
-    known: dict[int, Reals] = field(default_factory=dict)
+    known: dict[int, Reals] = field(default_factory=dict)  # Functionals of modes that were asked for
 
     def __call__(self, mode: int) -> Reals:
         """Return the row, (N,): where several stick together, of the share with the least squares."""

@@ -8,23 +8,16 @@ import numpy as np
 
 from trimmer.mechanism.parts import Row
 
-SOON = 1e-12
-"""Share of the last time of a profile up to which two times are one."""
+SOON = 1e-12  # Share of the last time of a profile up to which two times are one
 
 
 @dataclass(frozen=True)
 class Profile:
-    """A value that is straight between points.
+    """A value that is straight between points."""
 
-    Attributes:
-        points: Time, s, and value of each.
-        before: The value before the first.
-        slope: The rate after the last.
-    """
-
-    points: tuple[Row, ...]
-    before: float = 0.0
-    slope: float = 0.0
+    points: tuple[Row, ...]  # Time, s, and value of each
+    before: float = 0.0  # The value before the first
+    slope: float = 0.0  # The rate after the last
 
     @property
     def times(self) -> tuple[float, ...]:

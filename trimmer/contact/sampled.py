@@ -29,23 +29,16 @@ if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.motion.signals import Signal
 
-SHORTEST = 1e-9
-"""Shortest sample, as a share of the slowest period."""
-A_SECOND = 1.0
-"""Taken for that period where nothing has one, s."""
+SHORTEST = 1e-9  # Shortest sample, as a share of the slowest period
+A_SECOND = 1.0  # Taken for that period where nothing has one, s
 
 
 @dataclass(frozen=True, eq=False)
 class SampledControllers:
-    """The sampled controllers of a mechanism.
+    """The sampled controllers of a mechanism."""
 
-    Attributes:
-        mechanism: The mechanism.
-        layout: Names and places of its extended state.
-    """
-
-    mechanism: Mechanism
-    layout: Layout
+    mechanism: Mechanism  # The mechanism
+    layout: Layout  # Names and places of its extended state
     _known: dict[bool, tuple[Reals, Reals]] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property

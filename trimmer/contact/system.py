@@ -21,17 +21,11 @@ from trimmer.hybrid.system import STRUCK, Clockwork, Decision, EventFunction, Mo
 
 @dataclass(frozen=True, eq=False)
 class MechanismSystem:
-    """The exact motion of a mechanism; its parts are its contacts, then its frictions, curves and walls.
+    """The exact motion of a mechanism; its parts are its contacts, then its frictions, curves and walls."""
 
-    Attributes:
-        machine: Its arrays.
-        layout: Names and places of its extended state.
-        clockwork: What samples it; None for nothing.
-    """
-
-    machine: Machine
-    layout: Layout
-    clockwork: Clockwork | None = None
+    machine: Machine  # Its arrays
+    layout: Layout  # Names and places of its extended state
+    clockwork: Clockwork | None = None  # What samples it; None for nothing
 
     @property
     def part_count(self) -> int:

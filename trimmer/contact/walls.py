@@ -23,10 +23,8 @@ from trimmer.contact.statuses import BACKWARD, COMPLETED, FORWARD, IMPACT, LOOSE
 from trimmer.hybrid.dry_friction import complementary_forces
 from trimmer.hybrid.system import ARRIVED, STRUCK, Decision, Impulse
 
-MOST_PASSES = 60
-"""Rounds of impacts at one instant, after which walls act together, without rebound."""
-SHORTEST = 1e-9
-"""Share of the drive's period, or of 1 s, below which what is left of a chatter is completed."""
+MOST_PASSES = 60  # Rounds of impacts at one instant, after which walls act together, without rebound
+SHORTEST = 1e-9  # Share of the drive's period, or of 1 s, below which what is left of a chatter is completed
 
 
 def strike(machine: Machine, statuses: tuple[int, ...], state: Reals, wall: int, period: float) -> Decision:
@@ -48,19 +46,15 @@ def strike(machine: Machine, statuses: tuple[int, ...], state: Reals, wall: int,
 
 @dataclass(frozen=True, eq=False)
 class _Strike:
-    """An instant at which a wall is reached.
+    """An instant at which a wall is reached."""
 
-    Attributes:
-        machine, statuses, state, wall, period: See ``strike``.
-        largest: Moduli of the entries of the state, the largest of the instant, (N,).
-    """
-
+    # machine, statuses, state, wall, period: See ``strike``
     machine: Machine
     statuses: tuple[int, ...]
     state: Reals
     wall: int
     period: float
-    largest: Reals
+    largest: Reals  # Moduli of the entries of the state, the largest of the instant, (N,)
 
     def decision(self) -> Decision:
         touching, state, impulses = self.touching(), self.state, list[Impulse]()

@@ -23,24 +23,16 @@ SMALLEST = 1e-3  # Share of its bound below which a measure counts as this
 
 @dataclass(frozen=True, eq=False)
 class Scan:
-    """Trials over one number.
+    """Trials over one number."""
 
-    Attributes:
-        place, unit: Dotted place and SI unit of the number.
-        value: The number of the file.
-        factors: Logarithms of its factors, rising, (n,).
-        logs: Logarithms of what each target bounds, (n, targets).
-        regular: Whether the motion was found, and repeats as wanted, (n,).
-        trials: What was computed, in the same order.
-    """
-
+    # place, unit: Dotted place and SI unit of the number
     place: str
     unit: str
-    value: float
-    factors: Reals
-    logs: Reals
-    regular: Flags
-    trials: tuple[Trial, ...]
+    value: float  # The number of the file
+    factors: Reals  # Logarithms of its factors, rising, (n,)
+    logs: Reals  # Logarithms of what each target bounds, (n, targets)
+    regular: Flags  # Whether the motion was found, and repeats as wanted, (n,)
+    trials: tuple[Trial, ...]  # What was computed, in the same order
 
     def at(self, factors: Reals) -> tuple[Reals, Flags]:
         """Return logarithms of measures, (m, targets), and whether the motion is regular, (m,)."""

@@ -45,15 +45,12 @@ class ProfileSide:
 
 @dataclass(frozen=True)
 class _Bracket:
-    """What is known of the place of an end: distances from the fit, and roots of the excess there.
+    """What is known of the place of an end: distances from the fit, and roots of the excess there."""
 
-    Attributes:
-        inside, low: The farthest distance that fits, and its root, below 1.
-        outside, high: The nearest one that does not; infinite where none is known, or no motion is there.
-    """
-
+    # inside, low: The farthest distance that fits, and its root, below 1
     inside: float = 0.0
     low: float = 0.0
+    # outside, high: The nearest one that does not; infinite where none is known, or no motion is there
     outside: float = math.inf
     high: float = math.inf
 

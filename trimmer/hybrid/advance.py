@@ -47,14 +47,11 @@ if TYPE_CHECKING:
     from trimmer.hybrid.tables import Tables
     from trimmer.hybrid.work import Work
 
-MOST_STEPS = 20_000_000
-"""Steps of one integration if no number is given: some ten seconds."""
+MOST_STEPS = 20_000_000  # Steps of one integration if no number is given: some ten seconds
 AT_ONCE = 1_000_000
 """Steps after which the compiled code comes back, so that an interrupt is heard: less than a second."""
-MOST_TOGETHER = 6
-"""Decisions at one instant that are taken because events repeat each other."""
-MOST_EVENTS = 2**62
-"""Events of one integration if no number is given."""
+MOST_TOGETHER = 6  # Decisions at one instant that are taken because events repeat each other
+MOST_EVENTS = 2**62  # Events of one integration if no number is given
 
 
 class Ending(Choice):
@@ -78,47 +75,29 @@ _ENDINGS = {
 
 @dataclass(frozen=True, eq=False)
 class Instant:
-    """All that determines the motion from an instant on.
+    """All that determines the motion from an instant on."""
 
-    Attributes:
-        state: The states, (n,).
-        statuses: Of all parts.
-        periods: Whole periods of what forces the states since the start.
-        phase: Time since then, s.
-        zeros: How many derivatives of the event functions of each part are known to vanish, by their actions,
-            (parts, actions).
-        negligible: Moduli of states that decay by themselves which count as zero, (m,).
-    """
-
-    state: Reals
-    statuses: tuple[int, ...]
-    periods: int
-    phase: float
+    state: Reals  # The states, (n,)
+    statuses: tuple[int, ...]  # Of all parts
+    periods: int  # Whole periods of what forces the states since the start
+    phase: float  # Time since then, s
+    # How many derivatives of the event functions of each part are known to vanish, by their actions, (parts,
+    # actions)
     zeros: Integers
-    negligible: Reals
+    negligible: Reals  # Moduli of states that decay by themselves which count as zero, (m,)
 
 
 @dataclass(frozen=True, eq=False)
 class Stretch:
-    """A motion over some periods.
+    """A motion over some periods."""
 
-    Attributes:
-        end: The instant at which it ends.
-        ending: Why.
-        log: Its segments, timed from its start, if they were to be kept; else those of the end.
-        states: State at the start and after each period, (periods done + 1, n).
-        counts: Events of each period by kind, (periods begun, kinds).
-        steps: Number of steps that it took.
-        duration: Time from its start to its end, s.
-    """
-
-    end: Instant
-    ending: Ending
-    log: Log
-    states: Reals
-    counts: Integers
-    steps: int
-    duration: float
+    end: Instant  # The instant at which it ends
+    ending: Ending  # Why
+    log: Log  # Its segments, timed from its start, if they were to be kept; else those of the end
+    states: Reals  # State at the start and after each period, (periods done + 1, n)
+    counts: Integers  # Events of each period by kind, (periods begun, kinds)
+    steps: int  # Number of steps that it took
+    duration: float  # Time from its start to its end, s
 
 
 class AdvanceInterrupted(KeyboardInterrupt):

@@ -17,12 +17,10 @@ from trimmer.arrays import Places, Reals
 from trimmer.hybrid.system import System
 from trimmer.hybrid.tables import NO_RESET, UNKNOWN, Modes, Tables
 
-STRAIGHT = 2.0**-46
-"""Share of the largest number of a kind by which a table may miss a straight line."""
+STRAIGHT = 2.0**-46  # Share of the largest number of a kind by which a table may miss a straight line
 NUMBERS = ("flow", "hold", "decay", "decayed", "scale", "resets", "series", "taylor", "sizes", "screen")
 """Tables of numbers."""
-OF_EVENTS = ("target", "kind", "zeros", "reset", "resets")
-"""Tables that grow as events are met."""
+OF_EVENTS = ("target", "kind", "zeros", "reset", "resets")  # Tables that grow as events are met
 SAME = (
     "statuses",
     "settled",
@@ -82,12 +80,9 @@ def _is_straight(*three: Reals, axis: int | None) -> bool:
 
 @dataclass(eq=False)
 class AffineModes(Generic[_System]):
-    """The modes of a system over a number.
+    """The modes of a system over a number."""
 
-    Attributes:
-        first, middle, last: The modes at a first value, midway, and at a last one.
-    """
-
+    # first, middle, last: The modes at a first value, midway, and at a last one
     first: Modes[_System]
     middle: Modes[_System]
     last: Modes[_System]

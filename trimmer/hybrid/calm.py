@@ -13,8 +13,7 @@ from trimmer.arrays import Reals
 
 LEAST_SHARE = 0.3
 """Length of the segment in which motions begin, as a share of the longest, below which they begin there."""
-LEAST_MARGIN = 0.15
-"""Share of a segment from its ends within which no motion begins."""
+LEAST_MARGIN = 0.15  # Share of a segment from its ends within which no motion begins
 
 
 def is_amid(starts: Reals, period: float) -> bool:

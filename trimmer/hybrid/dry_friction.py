@@ -46,12 +46,9 @@ import numpy as np
 
 from trimmer.arrays import Flags, Integers, Reals
 
-DEPENDENT = 1e-10
-"""A direction that lies so close to the span of others, relative to its length, lies in it."""
-ROUNDING = 1e-12
-"""An acceleration below this share of the moduli of its terms is zero."""
-AT_EDGE = 1e-9
-"""A resultant that is outside what can be held by less than this share of it is at its edge."""
+DEPENDENT = 1e-10  # A direction that lies so close to the span of others, relative to its length, lies in it
+ROUNDING = 1e-12  # An acceleration below this share of the moduli of its terms is zero
+AT_EDGE = 1e-9  # A resultant that is outside what can be held by less than this share of it is at its edge
 
 MOST_STEPS = 50
 """Steps for each unknown, after which a complementarity problem is given up; some per unknown are usual."""

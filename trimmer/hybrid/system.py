@@ -23,129 +23,86 @@ NOTHING, HOLD_BEGUN, HOLD_ENDED, REVERSED = range(4)
 """What begins a segment of the motion: nothing that counts; a part is held from then on, is not any more, or
 goes the other way. What a system has besides counts from ``OWN_KINDS``."""
 OWN_KINDS = 4
-JOINTLY = -1
-"""In place of a part: several that are held."""
-ALL = 99
-"""In place of a number of derivatives: none of them jumps."""
-NO_STATE = -1
-"""In place of the place of the decaying state of a part that has none."""
+JOINTLY = -1  # In place of a part: several that are held
+ALL = 99  # In place of a number of derivatives: none of them jumps
+NO_STATE = -1  # In place of the place of the decaying state of a part that has none
 
 
 @dataclass(frozen=True, eq=False)
 class EventFunction:
-    """A functional that is positive while the mode lasts.
+    """A functional that is positive while the mode lasts."""
 
-    Attributes:
-        owner: The part that it belongs to; ``JOINTLY`` for several.
-        action: What it means that it falls to zero.
-        row: The functional, (N,).
-        signs: Directions in which parts that are held begin to go, for each part that can be held.
-        continuous: How many of its derivatives, counting the zeroth, do not jump when another part changes.
-        shortest: Of one that is reset: the tables say what follows only as long as its rate is more than its
-            second rate times this, s.
-    """
-
-    owner: int
-    action: int
-    row: Reals
+    owner: int  # The part that it belongs to; ``JOINTLY`` for several
+    action: int  # What it means that it falls to zero
+    row: Reals  # The functional, (N,)
+    # Directions in which parts that are held begin to go, for each part that can be held
     signs: tuple[int, ...] = ()
+    # How many of its derivatives, counting the zeroth, do not jump when another part changes
     continuous: int = ALL
+    # Of one that is reset: the tables say what follows only as long as its rate is more than its second rate
+    # times this, s
     shortest: float = field(default=0.0, kw_only=True)
 
 
 @dataclass(frozen=True, eq=False)
 class ModeEquations:
-    """The equations of a mode.
+    """The equations of a mode."""
 
-    Attributes:
-        statuses: Of all parts.
-        flow: The matrix M of Z' = M Z, (N, N).
-        functions: The event functions.
-        hold: The state, made to fit what is held, (N, N).
-        held: The parts that are held.
-        settled: Statuses of the mode without states that decay by themselves; its own if there are none.
-        decay: Rate at which the state of each part decays by itself, 1/s, 0 for others, (m,).
-        decayed: Place and rate of each state that decays by itself or has done so, and counts as zero.
-    """
-
-    statuses: tuple[int, ...]
-    flow: Reals
-    functions: tuple[EventFunction, ...]
-    hold: Reals
-    held: tuple[int, ...]
+    statuses: tuple[int, ...]  # Of all parts
+    flow: Reals  # The matrix M of Z' = M Z, (N, N)
+    functions: tuple[EventFunction, ...]  # The event functions
+    hold: Reals  # The state, made to fit what is held, (N, N)
+    held: tuple[int, ...]  # The parts that are held
+    # Statuses of the mode without states that decay by themselves; its own if there are none
     settled: tuple[int, ...]
-    decay: Reals
+    decay: Reals  # Rate at which the state of each part decays by itself, 1/s, 0 for others, (m,)
+    # Place and rate of each state that decays by itself or has done so, and counts as zero
     decayed: tuple[tuple[int, float], ...]
 
 
 @dataclass(frozen=True)
 class Transition:
-    """What follows an event.
+    """What follows an event."""
 
-    Attributes:
-        statuses: Of all parts afterwards.
-        kind: What it counts as.
-        zeros: Event functions of the part afterwards, by their actions, of which some derivatives vanish, and
-            how many, counting the zeroth.
-        reset: The state afterwards, (N, N), None if it goes on; then it is made to fit what is held.
-    """
-
-    statuses: tuple[int, ...]
-    kind: int
+    statuses: tuple[int, ...]  # Of all parts afterwards
+    kind: int  # What it counts as
+    # Event functions of the part afterwards, by their actions, of which some derivatives vanish, and how
+    # many, counting the zeroth
     zeros: tuple[tuple[int, int], ...] = ()
+    # The state afterwards, (N, N), None if it goes on; then it is made to fit what is held
     reset: Reals | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class Impulse:
-    """A reset of the state that was decided.
+    """A reset of the state that was decided."""
 
-    Attributes:
-        part: The part that it belongs to.
-        kind: What it counts as.
-        state: The extended state after it, (N,).
-    """
-
-    part: int
-    kind: int
-    state: Reals
+    part: int  # The part that it belongs to
+    kind: int  # What it counts as
+    state: Reals  # The extended state after it, (N,)
 
 
 @dataclass(frozen=True, eq=False)
 class Decision:
-    """What parts do at an instant, decided together.
+    """What parts do at an instant, decided together."""
 
-    Attributes:
-        statuses: Of all parts afterwards.
-        zeros: How many derivatives vanish of the switching functions of those that begin to go.
-        state: The extended state, (N,), in which those that rest may be made to rest to the last digit.
-        impulses: Resets before that, in order.
-        known: After resets, what is zero at first: part, action, and how many derivatives vanish.
-    """
-
-    statuses: tuple[int, ...]
-    zeros: int
-    state: Reals
-    impulses: tuple[Impulse, ...] = ()
+    statuses: tuple[int, ...]  # Of all parts afterwards
+    zeros: int  # How many derivatives vanish of the switching functions of those that begin to go
+    state: Reals  # The extended state, (N,), in which those that rest may be made to rest to the last digit
+    impulses: tuple[Impulse, ...] = ()  # Resets before that, in order
+    # After resets, what is zero at first: part, action, and how many derivatives vanish
     known: tuple[tuple[int, int, int], ...] = ()
 
 
 @dataclass(frozen=True)
 class Sampler:
-    """What reads the state at known times and writes places of it that nothing else moves.
+    """What reads the state at known times and writes places of it that nothing else moves."""
 
-    Attributes:
-        sample: Time between samples, s; the first one is at t = 0.
-        delay: Time after a sample at which what it demanded acts, s; 0 for what acts at samples.
-        limit: Largest modulus of its demand.
-        places: Where it writes the state.
-        acting: Where stands what is to act, and where what acts; twice the same if it acts at once.
-    """
-
-    sample: float
-    delay: float
-    limit: float
-    places: tuple[int, ...]
+    sample: float  # Time between samples, s; the first one is at t = 0
+    delay: float  # Time after a sample at which what it demanded acts, s; 0 for what acts at samples
+    limit: float  # Largest modulus of its demand
+    places: tuple[int, ...]  # Where it writes the state
+    # Where stands what is to act, and where what acts; twice the same if it acts at once
     acting: tuple[int, int]
 
 

@@ -21,86 +21,54 @@ from trimmer.hybrid.sparse import Rows, moduli_times, step_of, with_rows
 from trimmer.hybrid.system import ModeEquations, System
 from trimmer.hybrid.taylor import DEGREE, LEVELS, bernstein_from_taylor
 
-UNKNOWN = -1
-"""In place of a mode to go on in: not tabulated yet."""
-NO_RESET = -1
-"""In place of the number of a reset: the state goes on."""
-JOINT = -2
-"""In place of a mode to go on in: several parts at rest decide it together."""
-CAPACITY = 12
-"""Modes for which there is room at first."""
-MOST_ENTRIES = 40_000
-"""Numbers in the tables of a step of one mode beyond which modes are rows."""
+UNKNOWN = -1  # In place of a mode to go on in: not tabulated yet
+NO_RESET = -1  # In place of the number of a reset: the state goes on
+JOINT = -2  # In place of a mode to go on in: several parts at rest decide it together
+CAPACITY = 12  # Modes for which there is room at first
+MOST_ENTRIES = 40_000  # Numbers in the tables of a step of one mode beyond which modes are rows
 MOST_OF_DENSE = 400_000
 """The same where matrices are dense, as those of a structure, and few parts make few modes."""
-MOST_STATUSES = 4
-"""Statuses that a part has, about."""
+MOST_STATUSES = 4  # Statuses that a part has, about
 MOST_MATRICES = 2_000_000
 """Numbers in the matrices of such modes that are kept; others are assembled anew where they are needed."""
-MOST_BYTES = 2**30
-"""Memory that the tables may take."""
+MOST_BYTES = 2**30  # Memory that the tables may take
 
 
 class Tables(NamedTuple):
-    """First axis: mode; second: event function; last of transitions: fell to zero, or was negative at once.
+    """First axis: mode; second: event function; last of transitions: fell to zero, or negative at once."""
 
-    Attributes:
-        rows: The modes as rows; then ``screen`` to ``hold`` are empty. None for small systems.
-        statuses: Of all parts, (modes, parts).
-        settled: The mode without states that decay by themselves, itself if there are none, (modes,).
-        step: Length h of a step, s, (modes,).
-        screen: Side by side exp(M h), transposed, and the Bernstein coefficients of the event functions over
-            a step, (modes, N, N + functions (K + 1)).
-        series: (M h)^k / k!, transposed and side by side, (modes, N, (K + 1) N).
-        terms: How many terms of the series do for fractions up to 4^-level of a step, (modes, LEVELS).
-        taylor: Coefficients of s^k of the event functions, (modes, functions, N, K + 1).
-        sizes: Sums of the moduli of what these are made of, (modes, functions, K + 1, N).
-        flow: The matrix M, (modes, N, N).
-        hold: The state, made to fit what is held, transposed, (modes, N, N).
-        function_count: Number of event functions, (modes,).
-        owner: The parts that they belong to, (modes, functions).
-        action: What it means that they fall to zero, (modes, functions).
-        continuous: How many of their derivatives do not jump with other parts, (modes, functions).
-        shortest: Rate over second rate down to which tables say what follows a reset, s, (modes, functions).
-        target: The mode to go on in, (modes, functions, 2).
-        kind: What the event counts as, (modes, functions, 2).
-        zeros: How many derivatives of the event functions of the part vanish then, by their actions,
-            (modes, functions, 2, actions).
-        reset: Number of the state's reset, ``NO_RESET`` for none, (modes, functions, 2).
-        resets: The resets, transposed, (resets, N, N).
-        decaying_state: Place of the state of each part that may decay by itself, -1 for none, (m,).
-        decay: Rates of those that decay, 1/s, 0 for others, (modes, m).
-        decayed: Rates of those that decay or have done so, and count as zero, 1/s, 0 for others, (modes, m).
-        scale: Size by which it is measured what of it is negligible, (m,).
-        bernstein_from_taylor: Matrices of ``trimmer.hybrid.taylor.bernstein_from_taylor``.
-    """
-
-    rows: Rows | None
-    statuses: Integers
-    settled: Integers
-    step: Reals
+    rows: Rows | None  # The modes as rows; then ``screen`` to ``hold`` are empty. None for small systems.
+    statuses: Integers  # Of all parts, (modes, parts)
+    settled: Integers  # The mode without states that decay by themselves, itself if there are none, (modes,)
+    step: Reals  # Length h of a step, s, (modes,)
+    # Side by side exp(M h), transposed, and the Bernstein coefficients of the event functions over a step,
+    # (modes, N, N + functions (K + 1))
     screen: Reals
-    series: Reals
-    terms: Integers
-    taylor: Reals
-    sizes: Reals
-    flow: Reals
-    hold: Reals
-    function_count: Integers
-    owner: Integers
-    action: Integers
-    continuous: Integers
+    series: Reals  # (M h)^k / k!, transposed and side by side, (modes, N, (K + 1) N)
+    terms: Integers  # How many terms of the series do for fractions up to 4^-level of a step, (modes, LEVELS)
+    taylor: Reals  # Coefficients of s^k of the event functions, (modes, functions, N, K + 1)
+    sizes: Reals  # Sums of the moduli of what these are made of, (modes, functions, K + 1, N)
+    flow: Reals  # The matrix M, (modes, N, N)
+    hold: Reals  # The state, made to fit what is held, transposed, (modes, N, N)
+    function_count: Integers  # Number of event functions, (modes,)
+    owner: Integers  # The parts that they belong to, (modes, functions)
+    action: Integers  # What it means that they fall to zero, (modes, functions)
+    continuous: Integers  # How many of their derivatives do not jump with other parts, (modes, functions)
+    # Rate over second rate down to which tables say what follows a reset, s, (modes, functions)
     shortest: Reals
-    target: Integers
-    kind: Integers
+    target: Integers  # The mode to go on in, (modes, functions, 2)
+    kind: Integers  # What the event counts as, (modes, functions, 2)
+    # How many derivatives of the event functions of the part vanish then, by their actions, (modes,
+    # functions, 2, actions)
     zeros: Integers
-    reset: Integers
-    resets: Reals
-    decaying_state: Integers
-    decay: Reals
+    reset: Integers  # Number of the state's reset, ``NO_RESET`` for none, (modes, functions, 2)
+    resets: Reals  # The resets, transposed, (resets, N, N)
+    decaying_state: Integers  # Place of the state of each part that may decay by itself, -1 for none, (m,)
+    decay: Reals  # Rates of those that decay, 1/s, 0 for others, (modes, m)
+    # Rates of those that decay or have done so, and count as zero, 1/s, 0 for others, (modes, m)
     decayed: Reals
-    scale: Reals
-    bernstein_from_taylor: Reals
+    scale: Reals  # Size by which it is measured what of it is negligible, (m,)
+    bernstein_from_taylor: Reals  # Matrices of ``trimmer.hybrid.taylor.bernstein_from_taylor``
 
 
 def _entries(system: System) -> int:
@@ -178,8 +146,7 @@ class Modes(Generic[_System]):
         tables: Tables of the modes that were asked for.
     """
 
-    may_be_sparse: ClassVar[bool] = True
-    """Whether those of a large system are rows."""
+    may_be_sparse: ClassVar[bool] = True  # Whether those of a large system are rows
     system: _System
     most_bytes: int = MOST_BYTES
     _statuses: list[tuple[int, ...]] = field(default_factory=list, init=False, repr=False)

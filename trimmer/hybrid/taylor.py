@@ -11,14 +11,11 @@ from trimmer.arrays import Reals
 
 DEGREE = 24
 """Degree of the polynomials; for the steps of ``trimmer.hybrid.series`` the rest is less than rounding."""
-REMAINDER = 2.0**-56
-"""Bound of the next term of the series of exp(M h), in balanced coordinates."""
+REMAINDER = 2.0**-56  # Bound of the next term of the series of exp(M h), in balanced coordinates
 MOST_ZEROS = 3
 """No event function is known to vanish with more than its first three derivatives, the zeroth included."""
-LEVELS = 6
-"""Number of fractions 4^-level of a step for which terms are counted."""
-LONGEST_STEP = 1e6
-"""About the longest step, s, for motions that hardly change."""
+LEVELS = 6  # Number of fractions 4^-level of a step for which terms are counted
+LONGEST_STEP = 1e6  # About the longest step, s, for motions that hardly change
 
 
 @cache

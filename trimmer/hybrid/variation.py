@@ -129,29 +129,18 @@ def _jump(modes: Modes[Any], log: Log, first: int, last: int, distances: Reals) 
 
 @dataclass(frozen=True, eq=False)
 class Jump:
-    """What one event makes of small distances.
+    """What one event makes of small distances."""
 
-    Attributes:
-        before: The mode before.
-        function: What falls to zero.
-        after: The mode afterwards; None between impulses at one instant, where nothing is made to fit.
-        here: Extended state at which it does, (N,).
-        there: The state afterwards, (N,).
-        reset: What becomes of the state, (N, N); None if it goes on.
-        rates: Rates of the state before, 1/s, (N,).
-        change: Rates afterwards less those before, as the reset leaves them, (N,).
-        kind: What an impulse that was decided counts as; None for any other.
-    """
-
-    before: int
-    function: EventFunction
+    before: int  # The mode before
+    function: EventFunction  # What falls to zero
+    # The mode afterwards; None between impulses at one instant, where nothing is made to fit
     after: int | None
-    here: Reals
-    there: Reals
-    reset: Reals | None
-    rates: Reals
-    change: Reals
-    kind: int | None = None
+    here: Reals  # Extended state at which it does, (N,)
+    there: Reals  # The state afterwards, (N,)
+    reset: Reals | None  # What becomes of the state, (N, N); None if it goes on
+    rates: Reals  # Rates of the state before, 1/s, (N,)
+    change: Reals  # Rates afterwards less those before, as the reset leaves them, (N,)
+    kind: int | None = None  # What an impulse that was decided counts as; None for any other
 
     @property
     def slope(self) -> float:

@@ -13,25 +13,17 @@ from trimmer.hybrid.taylor import DEGREE
 
 
 class Work(NamedTuple):
-    """Where the motion is, and work space.
+    """Where the motion is, and work space."""
 
-    Attributes:
-        state: Extended state, (N,).
-        zeros: How many derivatives of the event functions of each part are known to vanish now, by their
-            actions, (parts, actions).
-        negligible: Moduli of states that decay by themselves which count as zero, (m,).
-        margins: By how much these could bring an event function of their part to zero earlier, (m,).
-        touches: Fractions of a step at which event functions come to zero without crossing, (functions,).
-        screened: What the screen of a mode gives for a state, (N + functions (K + 1),).
-        following, moduli, terms, bernstein, taylor, pieces: Room for states and polynomials.
-    """
-
-    state: Reals
+    state: Reals  # Extended state, (N,)
+    # How many derivatives of the event functions of each part are known to vanish now, by their actions,
+    # (parts, actions)
     zeros: Integers
-    negligible: Reals
-    margins: Reals
-    touches: Reals
-    screened: Reals
+    negligible: Reals  # Moduli of states that decay by themselves which count as zero, (m,)
+    margins: Reals  # By how much these could bring an event function of their part to zero earlier, (m,)
+    touches: Reals  # Fractions of a step at which event functions come to zero without crossing, (functions,)
+    screened: Reals  # What the screen of a mode gives for a state, (N + functions (K + 1),)
+    # following, moduli, terms, bernstein, taylor, pieces: Room for states and polynomials
     following: Reals
     moduli: Reals
     terms: Reals
@@ -60,30 +52,19 @@ def work_for(tables: Tables) -> Work:
     )
 
 
-ROWS = 256
-"""Rows of a log to begin with."""
+ROWS = 256  # Rows of a log to begin with
 
 
 class Log(NamedTuple):
-    """One row per segment of motion between events.
+    """One row per segment of motion between events."""
 
-    Attributes:
-        start: Time of its start, s, (rows,).
-        mode: Number of its mode, (rows,).
-        state: Extended state at its start, (rows, N).
-        part: The part whose event began it, -1 for none, (rows,).
-        kind: What began it, see ``trimmer.hybrid.system``, (rows,).
-        function: The event function of the mode before that fell to zero, -1 for none, (rows,).
-        touches: How many times one came to zero during it without crossing, to rounding, (rows,).
-    """
-
-    start: Reals
-    mode: Integers
-    state: Reals
-    part: Integers
-    kind: Integers
-    function: Integers
-    touches: Integers
+    start: Reals  # Time of its start, s, (rows,)
+    mode: Integers  # Number of its mode, (rows,)
+    state: Reals  # Extended state at its start, (rows, N)
+    part: Integers  # The part whose event began it, -1 for none, (rows,)
+    kind: Integers  # What began it, see ``trimmer.hybrid.system``, (rows,)
+    function: Integers  # The event function of the mode before that fell to zero, -1 for none, (rows,)
+    touches: Integers  # How many times one came to zero during it without crossing, to rounding, (rows,)
 
     @classmethod
     def empty(cls, rows: int, size: int) -> Log:

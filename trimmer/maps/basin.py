@@ -30,8 +30,7 @@ if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.motion.subject import Subject
 
-START = "start"
-"""First name of the places of initial values."""
+START = "start"  # First name of the places of initial values
 
 
 @dataclass(frozen=True, eq=False, repr=False)

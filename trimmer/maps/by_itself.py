@@ -21,29 +21,20 @@ if TYPE_CHECKING:
     from trimmer.motion.flow import Flow
     from trimmer.response.orbit import Orbit
 
-RETURNS = 128
-"""Returns, at most, over which a motion is measured that does not repeat."""
+RETURNS = 128  # Returns, at most, over which a motion is measured that does not repeat
 
 
 @dataclass(frozen=True, eq=False)
 class CameTo:
-    """What a start without a drive settles to.
+    """What a start without a drive settles to."""
 
-    Attributes:
-        kind: What it is.
-        course: The motion over a period, or some returns of what does not repeat; None if it grows.
-        returns: Number of these returns; 1 for a period.
-        orbit: The orbit, if it repeats.
-        neutral: Whether others are beside it.
-        lyapunov: Largest Lyapunov exponent, 1/s, of what does not repeat.
-    """
-
-    kind: MotionKind
+    kind: MotionKind  # What it is
+    # The motion over a period, or some returns of what does not repeat; None if it grows
     course: Course | None = None
-    returns: int = 1
-    orbit: Orbit | None = None
-    neutral: bool = False
-    lyapunov: float | None = None
+    returns: int = 1  # Number of these returns; 1 for a period
+    orbit: Orbit | None = None  # The orbit, if it repeats
+    neutral: bool = False  # Whether others are beside it
+    lyapunov: float | None = None  # Largest Lyapunov exponent, 1/s, of what does not repeat
 
 
 def came_to(flow: Flow, start: Instant, most_periods: int = sum(STRETCHES)) -> CameTo:

@@ -21,44 +21,29 @@ from trimmer.response.flows import require_subject
 from trimmer.response.pace import periods_of
 
 _Subject = TypeVar("_Subject", bound="Subject")
-FORMAT = 1
-"""Version of the format of files."""
-MOST_CELLS = 4_000_000
-"""Cells whose results still fit into memory: a kilobyte or two each."""
+FORMAT = 1  # Version of the format of files
+MOST_CELLS = 4_000_000  # Cells whose results still fit into memory: a kilobyte or two each
 
 
 @dataclass(frozen=True)
 class Settings:
-    """How long each cell is looked at, and from where.
+    """How long each cell is looked at, and from where."""
 
-    Attributes:
-        most_periods: Drive periods to wait at most; without a drive periods of the slowest mode.
-        starts: Starts of each cell: rest, or the mechanism's own start, and then random ones.
-        seed: Seed of the random starts; each cell has its own numbers.
-        measures: Keys of measures beside those that all maps have; see ``trimmer.motion.chosen``.
-    """
-
-    most_periods: int = 300
-    starts: int = 1
-    seed: int = 0
+    most_periods: int = 300  # Drive periods to wait at most; without a drive periods of the slowest mode
+    starts: int = 1  # Starts of each cell: rest, or the mechanism's own start, and then random ones
+    seed: int = 0  # Seed of the random starts; each cell has its own numbers
+    # Keys of measures beside those that all maps have; see ``trimmer.motion.chosen``
     measures: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class MapInputs:
-    """All that the cells of a map depend on.
+    """All that the cells of a map depend on."""
 
-    Attributes:
-        subject: The mechanism or loop that is varied.
-        places: One place or two.
-        values: Values of each place.
-        settings: How long each cell is looked at, and from where.
-    """
-
-    subject: Subject
-    places: tuple[str, ...]
-    values: tuple[tuple[float, ...], ...]
-    settings: Settings
+    subject: Subject  # The mechanism or loop that is varied
+    places: tuple[str, ...]  # One place or two
+    values: tuple[tuple[float, ...], ...]  # Values of each place
+    settings: Settings  # How long each cell is looked at, and from where
 
     @property
     def mechanism(self) -> Mechanism:

@@ -11,32 +11,23 @@ from trimmer.hybrid.advance import Instant
 from trimmer.maps.plateau import Plateau
 from trimmer.response.response import MotionKind
 
-LEAST = 0.05
-"""Least change of a stroke, as a share of the largest one, that may be a jump."""
-HALVINGS = 3
-"""How often a step with such a change is halved."""
-LEFT = 0.5
-"""Share of the change that is left by then if it is a jump; what changes evenly leaves an eighth."""
+LEAST = 0.05  # Least change of a stroke, as a share of the largest one, that may be a jump
+HALVINGS = 3  # How often a step with such a change is halved
+LEFT = 0.5  # Share of the change that is left by then if it is a jump; what changes evenly leaves an eighth
 CALM = (MotionKind.PERIODIC, MotionKind.REST)
 """Kinds of motion whose stroke does not change from one window to another."""
 
 
 @dataclass(frozen=True)
 class Jump:
-    """Two values between which the motion jumps to another one.
+    """Two values between which the motion jumps to another one."""
 
-    Attributes:
-        point: Number of the first point of the sweep behind it, counted from 0.
-        before, after: The values, in the order of the sweep, closer together than its steps.
-        output: The output that changes most beside its largest stroke.
-        change: Of its peak to peak, in its unit.
-    """
-
-    point: int
+    point: int  # Number of the first point of the sweep behind it, counted from 0
+    # before, after: The values, in the order of the sweep, closer together than its steps
     before: float
     after: float
-    output: str
-    change: float
+    output: str  # The output that changes most beside its largest stroke
+    change: float  # Of its peak to peak, in its unit
 
 
 Step = Callable[[float, float, Instant], tuple[Plateau, Instant]]

@@ -11,10 +11,8 @@ from trimmer.arrays import Reals
 from trimmer.branches.loci.locus import LocusEnd
 from trimmer.maps.special_curve import Meeting, SpecialCurve, are_alike
 
-NEAR = 2e-2
-"""Distance, as a share of the ranges, within which a curve that was lost ends on another one."""
-LOST = (LocusEnd.LOST, LocusEnd.CHANGED, LocusEnd.CUSP)
-"""Reasons to end that another curve may explain."""
+NEAR = 2e-2  # Distance, as a share of the ranges, within which a curve that was lost ends on another one
+LOST = (LocusEnd.LOST, LocusEnd.CHANGED, LocusEnd.CUSP)  # Reasons to end that another curve may explain
 
 
 def meetings(curves: Sequence[SpecialCurve], spans: Reals) -> tuple[Meeting, ...]:

@@ -26,16 +26,14 @@ if TYPE_CHECKING:
     from trimmer.loops.loops import Loop
     from trimmer.mechanism.mechanism import Mechanism
 
-FEW = 12
-"""Cells up to which other processes are not worth their beginning."""
+FEW = 12  # Cells up to which other processes are not worth their beginning
 
 
 class MapInterruptedError(KeyboardInterrupt):
     """A map was interrupted; the message says how many cells are done, and how to go on."""
 
 
-MOST_PERIODS = 300
-"""Drive periods that are waited if no number is given."""
+MOST_PERIODS = 300  # Drive periods that are waited if no number is given
 
 
 def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with a default)

@@ -17,39 +17,27 @@ from trimmer.motion.signals import read
 from trimmer.response.recurrence import NEAR, has_returned
 from trimmer.response.response import MotionKind
 
-ORDERS = 10
-"""Multiples of the drive up to which a spectrum goes."""
-SAMPLES = 64
-"""Samples of a drive period, for the spectrum."""
-SEGMENT = 32
-"""Drive periods of a spectrum, at most."""
-STEADY = 1e-9
-"""Share of its size by which a state may miss its return and yet repeat."""
+ORDERS = 10  # Multiples of the drive up to which a spectrum goes
+SAMPLES = 64  # Samples of a drive period, for the spectrum
+SEGMENT = 32  # Drive periods of a spectrum, at most
+STEADY = 1e-9  # Share of its size by which a state may miss its return and yet repeat
 
 
 @dataclass(frozen=True, eq=False)
 class Plateau:
-    """What moves at one value of a sweep.
+    """What moves at one value of a sweep."""
 
-    Attributes:
-        kind: Kind of motion over the second half.
-        periods: Drive periods after which it repeats; None if it does not, or rests.
-        measured: Drive periods that were measured; 0 if the motion ended before.
-        outputs: What each output does, its advance over the period, or a drive period where there is none;
-            none if the motion ended before.
-        spectra: Amplitudes of each output at even steps from 0 to ``ORDERS`` times the drive, with a Hann
-            window, (lines,).
-        impact_speed: Largest speed at which sides of contacts meet, m/s; 0 without impacts.
-        ending: Why the motion ends.
-    """
-
-    kind: MotionKind
-    periods: int | None
-    measured: int
+    kind: MotionKind  # Kind of motion over the second half
+    periods: int | None  # Drive periods after which it repeats; None if it does not, or rests
+    measured: int  # Drive periods that were measured; 0 if the motion ended before
+    # What each output does, its advance over the period, or a drive period where there is none; none if the
+    # motion ended before
     outputs: Mapping[str, OutputMeasures]
+    # Amplitudes of each output at even steps from 0 to ``ORDERS`` times the drive, with a Hann window,
+    # (lines,)
     spectra: Mapping[str, Reals]
-    impact_speed: float
-    ending: Ending
+    impact_speed: float  # Largest speed at which sides of contacts meet, m/s; 0 without impacts
+    ending: Ending  # Why the motion ends
 
 
 def dwell(flow: Flow, begin: Instant, periods: int) -> tuple[Plateau, Instant]:

@@ -18,10 +18,8 @@ from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table
 
-ON_CURVE = 5e-3
-"""Distance in shares of the ranges within which a special point lies on a curve that is known."""
-INTERPOLATED = 5e-2
-"""Error of states between two points of a curve, relative to their sizes on it."""
+ON_CURVE = 5e-3  # Distance in shares of the ranges within which a special point lies on a curve that is known
+INTERPOLATED = 5e-2  # Error of states between two points of a curve, relative to their sizes on it
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -116,19 +114,12 @@ def _passes(values: Reals, states: Reals, target: Reals, state: Reals, sizes: Re
 
 @dataclass(frozen=True, eq=False)
 class Meeting:
-    """Where two curves meet with the same orbit, as near as the points of the curves tell.
+    """Where two curves meet with the same orbit, as near as the points of the curves tell."""
 
-    Attributes:
-        curves: Numbers of the two curves, the lower first.
-        values: Values of both numbers, SI units, (2,).
-        ends: Whether one of them ends there; otherwise they cross.
-        distance: How far apart they are, as a share of the ranges; 0 where they cross.
-    """
-
-    curves: tuple[int, int]
-    values: Reals
-    ends: bool
-    distance: float
+    curves: tuple[int, int]  # Numbers of the two curves, the lower first
+    values: Reals  # Values of both numbers, SI units, (2,)
+    ends: bool  # Whether one of them ends there; otherwise they cross
+    distance: float  # How far apart they are, as a share of the ranges; 0 where they cross
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -22,16 +22,11 @@ from trimmer.progress import progress_bar
 from trimmer.response.settling import orbit_from_rest
 from trimmer.runners.runner import Runner
 
-MOST_ORBITS = 600
-"""Orbits after which a branch is left."""
-MOST_POINTS = 200
-"""Points after which a curve is left, on either side of where it was found."""
-LARGEST_STEP = 0.05
-"""Largest distance of points on a curve, as a share of the ranges."""
-SMALLEST_STEP = 3e-4
-"""The same below which a curve is given up."""
-SAME_ORBIT = 1e-4
-"""Difference of two orbits, relative to the states, within which they are the same."""
+MOST_ORBITS = 600  # Orbits after which a branch is left
+MOST_POINTS = 200  # Points after which a curve is left, on either side of where it was found
+LARGEST_STEP = 0.05  # Largest distance of points on a curve, as a share of the ranges
+SMALLEST_STEP = 3e-4  # The same below which a curve is given up
+SAME_ORBIT = 1e-4  # Difference of two orbits, relative to the states, within which they are the same
 
 Piece = TypeVar("Piece")
 Made = TypeVar("Made")
@@ -47,17 +42,11 @@ class Line:
 
 @dataclass(frozen=True)
 class LineWork:
-    """Follows the branches at a value of the second number from both ends of the first.
+    """Follows the branches at a value of the second number from both ends of the first."""
 
-    Attributes:
-        subject: The mechanism or loop that is varied.
-        places: Places of the two numbers.
-        ranges: Their ranges.
-    """
-
-    subject: Subject
-    places: tuple[str, ...]
-    ranges: LocusRanges
+    subject: Subject  # The mechanism or loop that is varied
+    places: tuple[str, ...]  # Places of the two numbers
+    ranges: LocusRanges  # Their ranges
 
     def __call__(self, second: float) -> Line:
         """Return the branches at a value of the second number."""
@@ -97,15 +86,10 @@ class Side:
 
 @dataclass(frozen=True)
 class SideWork:
-    """Follows special points to one side.
+    """Follows special points to one side."""
 
-    Attributes:
-        place: Place of the second number.
-        ranges: Ranges of both numbers.
-    """
-
-    place: str
-    ranges: LocusRanges
+    place: str  # Place of the second number
+    ranges: LocusRanges  # Ranges of both numbers
 
     def __call__(self, side: Side) -> Locus:
         """Return the locus of a special point to one side."""

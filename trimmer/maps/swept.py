@@ -29,23 +29,16 @@ if TYPE_CHECKING:
     from trimmer.branches.followed import FollowedBranch
     from trimmer.motion.subject import Subject
 
-APART = 0.05
-"""Least difference of both ways, as a share of the largest stroke, that is hysteresis."""
+APART = 0.05  # Least difference of both ways, as a share of the largest stroke, that is hysteresis
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SweepPoint(Shown):
-    """The motion at one value.
+    """The motion at one value."""
 
-    Attributes:
-        value: Value of the number, in SI units; Hz for a frequency.
-        back: Whether it is on the way back.
-        motion: What was measured.
-    """
-
-    value: float
-    back: bool
-    motion: Plateau
+    value: float  # Value of the number, in SI units; Hz for a frequency
+    back: bool  # Whether it is on the way back
+    motion: Plateau  # What was measured
 
     def peak_to_peak(self, output: str) -> float:
         """Return peak to peak of an output; NaN where the motion ended before."""
@@ -58,18 +51,13 @@ class SweepPoint(Shown):
 
 @dataclass(frozen=True)
 class Hysteresis:
-    """Neighbouring values at which both ways differ.
+    """Neighbouring values at which both ways differ."""
 
-    Attributes:
-        output: Name of the output.
-        lowest, highest: The values at the ends.
-        largest: Largest difference of peak to peak, in the unit of the output.
-    """
-
-    output: str
+    output: str  # Name of the output
+    # lowest, highest: The values at the ends
     lowest: float
     highest: float
-    largest: float
+    largest: float  # Largest difference of peak to peak, in the unit of the output
 
 
 @dataclass(frozen=True, eq=False, repr=False)

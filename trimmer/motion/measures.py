@@ -20,24 +20,17 @@ HARMONICS = 20  # Number of harmonics of the drive that are given
 
 @dataclass(frozen=True, eq=False)
 class OutputMeasures:
-    """What an output does, in its unit.
+    """What an output does, in its unit."""
 
-    Attributes:
-        smallest, largest: Its extremes.
-        mean: Mean over the motion.
-        rms: Root of the mean square about the mean.
-        amplitudes: Complex amplitudes at p/k of the drive, p = 1, 2, ...: real part of c exp(i p w t / k).
-        period_count: k.
-        advance: Shift over the motion, which was taken off evenly before all this was measured.
-    """
-
+    # smallest, largest: Its extremes
     smallest: float
     largest: float
-    mean: float
-    rms: float
+    mean: float  # Mean over the motion
+    rms: float  # Root of the mean square about the mean
+    # Complex amplitudes at p/k of the drive, p = 1, 2, ...: real part of c exp(i p w t / k)
     amplitudes: Complexes
-    period_count: int
-    advance: float = 0.0
+    period_count: int  # k
+    advance: float = 0.0  # Shift over the motion, which was taken off evenly before all this was measured
 
     @property
     def peak_to_peak(self) -> float:

@@ -26,20 +26,13 @@ from trimmer.loops.loops import ClosedLoop
 from trimmer.orbits.guess import Start
 from trimmer.orbits.multi_harmonic_balance import BalancedHarmonics, solutions
 
-ORDERS = range(1, 17, 2)
-"""Harmonics that are balanced, one after the other."""
-HARMONICS = 32
-"""Number of odd harmonics of the element's output that move the linear system."""
-DIFFERENCE = 1e-5
-"""Of phases, rad, for the velocity of a load."""
-Place = Callable[[float], tuple[int, Reals]]
-"""Mode of a component at a phase, rad, and its own states."""
-PHASES = 128
-"""Phases of half a period at which it is seen which components switch in between."""
-TRIED = 2
-"""Of the times without a switch the longest, in whose middles a search begins."""
-NO_STATES = np.array([])
-"""Those of a component without memory, or with one that its mode is."""
+ORDERS = range(1, 17, 2)  # Harmonics that are balanced, one after the other
+HARMONICS = 32  # Number of odd harmonics of the element's output that move the linear system
+DIFFERENCE = 1e-5  # Of phases, rad, for the velocity of a load
+Place = Callable[[float], tuple[int, Reals]]  # Mode of a component at a phase, rad, and its own states
+PHASES = 128  # Phases of half a period at which it is seen which components switch in between
+TRIED = 2  # Of the times without a switch the longest, in whose middles a search begins
+NO_STATES = np.array([])  # Those of a component without memory, or with one that its mode is
 
 
 def balanced_starts(loop: ClosedLoop, amplitude: float, omega: float) -> Iterator[tuple[Start, float]]:

@@ -13,8 +13,7 @@ from trimmer.orbits.periodic_orbit import NEUTRAL, PeriodicOrbit
 from trimmer.response.multipliers import multipliers_of
 from trimmer.response.shooting import Return, Shot
 
-SEAM = 1e-13
-"""Time from the start, as a share of the period, of an event that may as well come at its end."""
+SEAM = 1e-13  # Time from the start, as a share of the period, of an event that may as well come at its end
 
 
 def orbit_of_loop(problem: Return, shot: Shot, prediction: LimitCycle | None = None) -> PeriodicOrbit:

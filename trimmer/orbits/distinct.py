@@ -14,8 +14,7 @@ from trimmer.response.shooting import CLOSED, LONGEST, Patience, Return, Shot, s
 
 COLLAPSED = 1e-6
 """Swing of all states, relative to their sizes, below which Newton's method has found an equilibrium."""
-POINTS = 64
-"""Points of a period at which two orbits are compared."""
+POINTS = 64  # Points of a period at which two orbits are compared
 LEAST = 1e-9
 """Scale of a state relative to the largest one, below which it is rounding, or says nothing of its own."""
 

@@ -17,8 +17,7 @@ from trimmer.response.starts import Start
 
 RESONANT = 1e-7
 """Distance of a pole from a multiple of the drive's frequency, as a share: a double one is known to that."""
-NEARLY = 1e-6
-"""Miss, as a share of the sizes of the orbit itself, that is more than what rounding leaves."""
+NEARLY = 1e-6  # Miss, as a share of the sizes of the orbit itself, that is more than what rounding leaves
 TOLD_APART = 1e-10 / float(np.finfo(float).eps)
 """State over its size beyond which its rounding alone is more than the miss of a closed return."""
 

@@ -23,25 +23,17 @@ from trimmer.loops.components.switched_component import Component
 from trimmer.loops.components.threshold_component import ThresholdComponent
 from trimmer.loops.loops import ClosedLoop
 
-PHASES = 720
-"""Phases among which the one to start from is chosen."""
-TOUCHING = 1e-9
-"""Distance from a side of the gap, relative to the gap, at which there is contact."""
+PHASES = 720  # Phases among which the one to start from is chosen
+TOUCHING = 1e-9  # Distance from a side of the gap, relative to the gap, at which there is contact
 
 
 @dataclass(frozen=True)
 class Start:
-    """Start of the search for an orbit.
+    """Start of the search for an orbit."""
 
-    Attributes:
-        mode: Number of the mode of the loop.
-        state: Extended state, shape (n,).
-        sizes: Largest modulus of each entry of the state along the orbit, estimated, shape (n,).
-    """
-
-    mode: int
-    state: Reals
-    sizes: Reals
+    mode: int  # Number of the mode of the loop
+    state: Reals  # Extended state, shape (n,)
+    sizes: Reals  # Largest modulus of each entry of the state along the orbit, estimated, shape (n,)
 
 
 def starting_point(loop: ClosedLoop, amplitude: float, omega: float) -> Start:

@@ -25,24 +25,16 @@ from trimmer.arrays import Reals
 
 Interval = tuple[float, float]
 
-NODES = 32
-"""Chebyshev points of a piece."""
-LAST = 4
-"""Coefficients at the end that must be rounding."""
-RESOLVED = 1e-11
-"""Share of the largest coefficient below which they are."""
-ROUNDING = 1e-12
-"""Share of the sum of moduli below which the value of the switching function is rounding."""
-RATIO = 1.5
-"""Of the ends of the pieces that are tried first."""
-NARROWEST = 1e-5
-"""Relative width below which a piece is not halved any more."""
-MOST_PIECES = 5_000
-"""Pieces after which what is left is undecided: about two seconds."""
+NODES = 32  # Chebyshev points of a piece
+LAST = 4  # Coefficients at the end that must be rounding
+RESOLVED = 1e-11  # Share of the largest coefficient below which they are
+ROUNDING = 1e-12  # Share of the sum of moduli below which the value of the switching function is rounding
+RATIO = 1.5  # Of the ends of the pieces that are tried first
+NARROWEST = 1e-5  # Relative width below which a piece is not halved any more
+MOST_PIECES = 5_000  # Pieces after which what is left is undecided: about two seconds
 NEARLY_REAL = 1e-5
 """Imaginary part, in units of half a piece, of a root that counts as real; two may have merged."""
-SMALL = 0.25
-"""Norm of a matrix below which the rational approximation of tanh is exact to rounding."""
+SMALL = 0.25  # Norm of a matrix below which the rational approximation of tanh is exact to rounding
 
 POINTS = np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES)
 TO_COEFFICIENTS = chebyshev.chebvander(POINTS, NODES - 1).T * (2.0 / NODES)
@@ -51,16 +43,11 @@ TO_COEFFICIENTS[0] *= 0.5
 
 @dataclass(frozen=True, eq=False)
 class HalfPeriodEquation:
-    """c x(0) = level as an equation for the half period T.
+    """c x(0) = level as an equation for the half period T."""
 
-    Attributes:
-        matrix: [[A, b], [0, 0]], (n + 1) x (n + 1), 1/s.
-        row: c, of shape (n,).
-        level: What the switching function is where the output becomes positive; 0 without hysteresis.
-    """
-
-    matrix: Reals
-    row: Reals
+    matrix: Reals  # [[A, b], [0, 0]], (n + 1) x (n + 1), 1/s
+    row: Reals  # c, of shape (n,)
+    # What the switching function is where the output becomes positive; 0 without hysteresis
     level: float = 0.0
 
     def states(self, halves: Reals) -> Reals:
@@ -91,15 +78,10 @@ class HalfPeriodEquation:
 
 @dataclass(frozen=True)
 class Zeros:
-    """Zeros on an interval.
+    """Zeros on an interval."""
 
-    Attributes:
-        halves: Half periods, s, rising.
-        undecided: Parts of the interval in which there may be others.
-    """
-
-    halves: tuple[float, ...]
-    undecided: tuple[Interval, ...]
+    halves: tuple[float, ...]  # Half periods, s, rising
+    undecided: tuple[Interval, ...]  # Parts of the interval in which there may be others
 
 
 def zeros(equation: HalfPeriodEquation, interval: Interval) -> Zeros:

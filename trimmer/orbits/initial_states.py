@@ -16,8 +16,7 @@ from trimmer.loops.feedback import Feedback
 from trimmer.loops.initial import segment_from
 from trimmer.loops.loops import ClosedLoop
 
-FARTHER = 3.0
-"""Factor by which the frequencies reach beyond the slowest and the fastest root."""
+FARTHER = 3.0  # Factor by which the frequencies reach beyond the slowest and the fastest root
 DECADES = (-1.0, 2.0)
 """Of the amplitude of the element's input over its gap or threshold, and of its output over that or level."""
 

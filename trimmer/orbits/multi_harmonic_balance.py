@@ -22,10 +22,8 @@ from trimmer.loops.loops import ClosedLoop
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Table, of_harmonics
 
-BALANCED = 1e-9
-"""Largest imbalance of any harmonic, relative to the first one, that counts as a solution."""
-NO_OUTPUT = 1e3
-"""Imbalance where the element has no steady output."""
+BALANCED = 1e-9  # Largest imbalance of any harmonic, relative to the first one, that counts as a solution
+NO_OUTPUT = 1e3  # Imbalance where the element has no steady output
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -28,8 +28,7 @@ NEUTRAL = 1e-6
 """Distance from 1 that rounding can give a multiplier; a double one is exact to the root of rounding."""
 
 
-HARMONICS = 15
-"""Number of harmonics that an orbit of a loop gives."""
+HARMONICS = 15  # Number of harmonics that an orbit of a loop gives
 ORBIT_COLUMNS = attributes(
     period="s",
     frequency="Hz",
@@ -46,14 +45,10 @@ class Given:
     """A loop as it was given, where its orbits are computed in other states, in which less is lost.
 
     ``plot`` draws it in the phase plane of the element's input: its rate, m/s, over itself, m.
-
-    Attributes:
-        loop: The loop.
-        states: Matrix T of its states T z of the linear system, n x n, with the other states z.
     """
 
-    loop: Loop
-    states: Reals
+    loop: Loop  # The loop
+    states: Reals  # Matrix T of its states T z of the linear system, n x n, with the other states z
 
     def motion(self, orbit: Orbit) -> LoopMotion:
         """Return the motion of an orbit in the states that were given."""

@@ -20,10 +20,8 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.loops.loops import ClosedLoop, Loop, OpenLoop
 from trimmer.orbits.periodic_orbit import Given, PeriodicOrbit
 
-LOSS = 1e4
-"""Loss of digits, as a factor of rounding, that leaves a return closed by far."""
-GAIN = 10.0
-"""Factor by which other states have to lose less to be worth while."""
+LOSS = 1e4  # Loss of digits, as a factor of rounding, that leaves a return closed by far
+GAIN = 10.0  # Factor by which other states have to lose less to be worth while
 WIDTHS = (1e-6, 1e-3, 1e-1)
 """Distances of poles, as shares of their moduli, up to which their modes are not told apart."""
 SLOW = 1e-3
@@ -36,16 +34,11 @@ LoopT = TypeVar("LoopT", bound=Loop)
 
 @dataclass(frozen=True, eq=False)
 class Restated(Generic[LoopT]):
-    """A loop, and the same one with the states in which its orbits are looked for.
+    """A loop, and the same one with the states in which its orbits are looked for."""
 
-    Attributes:
-        given: The loop as it was given.
-        loop: The same with other states z of its linear system.
-        states: Matrix T of the given states T z, n x n; None if the states are those that were given.
-    """
-
-    given: LoopT
-    loop: LoopT
+    given: LoopT  # The loop as it was given
+    loop: LoopT  # The same with other states z of its linear system
+    # Matrix T of the given states T z, n x n; None if the states are those that were given
     states: Reals | None
 
     def told(self, orbit: PeriodicOrbit) -> PeriodicOrbit:

@@ -22,8 +22,7 @@ from trimmer.response.shooting import Return
 
 CLOSE = 1e-3
 """Miss of the return above which a zero is no orbit: the relay switches in between, or the other way."""
-PARTS = 8
-"""Of half a period, at whose ends the sizes of the states are taken."""
+PARTS = 8  # Of half a period, at whose ends the sizes of the states are taken
 
 
 def relay_orbits(

@@ -29,24 +29,19 @@ from trimmer.response.shooting import Patience, Return, Shot
 
 FIRST_EVENTS = 128
 """Events after which the motion is first looked at; then after half as many again, and so on."""
-MOST_EVENTS = 5_000
-"""Events of one motion."""
-RECENT = 64
-"""Events at the end of a motion that show how far it swings."""
+MOST_EVENTS = 5_000  # Events of one motion
+RECENT = 64  # Events at the end of a motion that show how far it swings
 RETURNING = 1e-2
 """Difference of two states, relative to their sizes, below which the motion may be near an orbit."""
 CLOSER = 10.0
 """A return counts that is at most so many times worse than the best one; the latest of them is the period."""
-ARRIVED = 1e-8
-"""Difference below which the motion is on the orbit, to rounding."""
+ARRIVED = 1e-8  # Difference below which the motion is on the orbit, to rounding
 PATIENCE = Patience(iterations=12, halvings=8, followed=0)
 """Of Newton's method, which needs about five from so near; a spiral into a point would use up any number."""
-PROGRESS = 0.2
-"""Share of the best difference so far that is worth another attempt."""
+PROGRESS = 0.2  # Share of the best difference so far that is worth another attempt
 SHRUNK = 1e-7
 """Swing of all states, relative to the largest one of the motion, below which it has come to rest."""
-NEAR = 0.1
-"""Change of state and span by Newton's method that leaves them near where they were."""
+NEAR = 0.1  # Change of state and span by Newton's method that leaves them near where they were
 
 
 class MotionEnd(Enum):
@@ -70,23 +65,14 @@ ENDED = {
 
 @dataclass(frozen=True)
 class Turn:
-    """The last period of a motion, as it seems.
+    """The last period of a motion, as it seems."""
 
-    Attributes:
-        mode: Mode at an instant far from events.
-        state: Extended state there.
-        span: Duration of the period, or of half of it, s.
-        mirrored: Whether the state returns with its signs changed.
-        sizes: Size of each entry of the state.
-        miss: Difference of the states at both ends, relative to the sizes.
-    """
-
-    mode: int
-    state: Reals
-    span: float
-    mirrored: bool
-    sizes: Reals
-    miss: float
+    mode: int  # Mode at an instant far from events
+    state: Reals  # Extended state there
+    span: float  # Duration of the period, or of half of it, s
+    mirrored: bool  # Whether the state returns with its signs changed
+    sizes: Reals  # Size of each entry of the state
+    miss: float  # Difference of the states at both ends, relative to the sizes
 
 
 def settled_orbits(

@@ -16,20 +16,13 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.orbits.half_period import HalfPeriodEquation, Interval, solutions
 
-POINTS = 48
-"""Durations along either side of the grid."""
-UNEQUAL = 1e-4
-"""Relative difference of the durations below which the orbit is a symmetric one."""
-SOLVED = 1e-8
-"""Largest value of the switching function, relative to the sum of moduli, at both switches."""
-MOST_CELLS = 200
-"""Cells from which a common zero is looked for."""
-ITERATIONS = 8
-"""Of Newton's method."""
-DIFFERENCE = 1e-7
-"""Of the logarithms of durations, for the slopes."""
-STRIDE, FARTHEST = 0.3, 1.0
-"""Largest step of a logarithm, and its largest distance from the start."""
+POINTS = 48  # Durations along either side of the grid
+UNEQUAL = 1e-4  # Relative difference of the durations below which the orbit is a symmetric one
+SOLVED = 1e-8  # Largest value of the switching function, relative to the sum of moduli, at both switches
+MOST_CELLS = 200  # Cells from which a common zero is looked for
+ITERATIONS = 8  # Of Newton's method
+DIFFERENCE = 1e-7  # Of the logarithms of durations, for the slopes
+STRIDE, FARTHEST = 0.3, 1.0  # Largest step of a logarithm, and its largest distance from the start
 
 
 def unequal_switches(equation: HalfPeriodEquation, interval: Interval) -> list[tuple[float, float, Reals]]:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-MOST_OWN = 6
-"""Multiple of the motion's own frequency up to which a line is named."""
+MOST_OWN = 6  # Multiple of the motion's own frequency up to which a line is named
 OFF = 0.1
 """Distance from a sum at which a line is named by it, in bins, for each of its frequencies that it takes."""
 

@@ -24,13 +24,10 @@ from trimmer.sides import DIFFERENT, DISTANCES, Sides
 
 @dataclass(frozen=True, eq=False)
 class Edge:
-    """What is known of the other side of an orbit that rests on an edge.
+    """What is known of the other side of an orbit that rests on an edge."""
 
-    Attributes:
-        other_multipliers: Multipliers of the side that ``Orbit.multipliers`` are not of, largest
-            modulus first, (n,); None where these are of neither side.
-    """
-
+    # Multipliers of the side that ``Orbit.multipliers`` are not of, largest modulus first, (n,); None where
+    # these are of neither side
     other_multipliers: Complexes | None
 
     @property

@@ -8,24 +8,17 @@ import numpy as np
 
 from trimmer.arrays import Reals
 
-BATCHES = 16
-"""Least number of batches."""
-TIMES = 4.0
-"""Length of a batch in times of correlation, if there are enough data."""
+BATCHES = 16  # Least number of batches
+TIMES = 4.0  # Length of a batch in times of correlation, if there are enough data
 NORMAL_95 = 1.959963984540054
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number that was estimated.
+    """A number that was estimated."""
 
-    Attributes:
-        value: The estimate.
-        uncertainty: Its standard error.
-    """
-
-    value: float
-    uncertainty: float
+    value: float  # The estimate
+    uncertainty: float  # Its standard error
 
     @property
     def interval(self) -> tuple[float, float]:

@@ -18,10 +18,8 @@ if TYPE_CHECKING:
     from trimmer.motion.flow import Flow
     from trimmer.motion.subject import Subject
 
-KEPT = 2
-"""Subjects whose flows are kept, for who asks again."""
-MOST_KEPT = 2**24
-"""Memory of the tables of a step, bytes, up to which a flow is given again."""
+KEPT = 2  # Subjects whose flows are kept, for who asks again
+MOST_KEPT = 2**24  # Memory of the tables of a step, bytes, up to which a flow is given again
 
 
 def flow_of(subject: Subject) -> Flow:

@@ -17,8 +17,7 @@ if TYPE_CHECKING:
     from trimmer.response.orbit import Orbit
     from trimmer.response.starts import Start
 
-SETTLING = (8, 64, 512)
-"""Drive periods from rest after which Newton's method is tried, one after the other."""
+SETTLING = (8, 64, 512)  # Drive periods from rest after which Newton's method is tried, one after the other
 
 
 @overload

@@ -18,19 +18,14 @@ if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Reals
     from trimmer.response.linear_motion import LinearMotion
 
-ANGLES = 4096
-"""Instants in a drive period at which the largest value of several waves is looked for."""
+ANGLES = 4096  # Instants in a drive period at which the largest value of several waves is looked for
 
 
 @dataclass(frozen=True, eq=False)
 class LinearLines:
-    """The lines of a linear motion without what decays.
+    """The lines of a linear motion without what decays."""
 
-    Attributes:
-        motion: The motion.
-    """
-
-    motion: LinearMotion
+    motion: LinearMotion  # The motion
 
     @cached_property
     def _of_outputs(self) -> Mapping[str, tuple[Complexes, Reals]]:

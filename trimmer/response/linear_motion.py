@@ -21,42 +21,29 @@ if TYPE_CHECKING:
     from trimmer.hybrid.system import ModeEquations
     from trimmer.motion.flow import Flow
 
-ROUNDING = 64 * float(np.finfo(float).eps)
-"""Rounding of a sum as a share of the moduli of its terms."""
-BARELY = 1e-13
-"""Share of the sizes of states up to which a sum of them is not told from zero."""
+ROUNDING = 64 * float(np.finfo(float).eps)  # Rounding of a sum as a share of the moduli of its terms
+BARELY = 1e-13  # Share of the sizes of states up to which a sum of them is not told from zero
 ILL = 1e8
 """Condition of the eigenvectors beyond which free motions are not told apart, as where two become one."""
 NOTHING = 1e-10
 """Share of the size of a motion below which a free part of it is none: that to which orbits are closed."""
-SAMPLES = 64
-"""Instants in the period of the fastest wave at which a sum of waves is looked at."""
+SAMPLES = 64  # Instants in the period of the fastest wave at which a sum of waves is looked at
 
 
 @dataclass(frozen=True, eq=False)
 class LinearMotion:
-    """The motion from an instant on, if no event ends its mode: x(t) = Σ Re(X exp(iωt)) + Σ Re(Z exp(λt)).
+    """The motion from an instant on, if no event ends its mode: x(t) = Σ Re(X exp(iωt)) + Σ Re(Z exp(λt))."""
 
-    Attributes:
-        flow: The motion of the mechanism.
-        instant: Where it begins, t = 0.
-        mean: The constant part of the states, (n,).
-        orders: Multiples of the drive that occur, (m,).
-        waves: Their complex amplitudes in the states, X, (m, n).
-        rates: λ of the free parts, 1/s, of which pairs are conjugate, (r,). Those that do not decay have a
-            real part of exactly zero.
-        parts: Their complex amplitudes in the states, Z, (r, n).
-        free: Whether there are places on which nothing depends.
-    """
-
-    flow: Flow
-    instant: Instant
-    mean: Reals
-    orders: Reals
-    waves: Complexes
+    flow: Flow  # The motion of the mechanism
+    instant: Instant  # Where it begins, t = 0
+    mean: Reals  # The constant part of the states, (n,)
+    orders: Reals  # Multiples of the drive that occur, (m,)
+    waves: Complexes  # Their complex amplitudes in the states, X, (m, n)
+    # λ of the free parts, 1/s, of which pairs are conjugate, (r,). Those that do not decay have a real part
+    # of exactly zero.
     rates: Complexes
-    parts: Complexes
-    free: bool
+    parts: Complexes  # Their complex amplitudes in the states, Z, (r, n)
+    free: bool  # Whether there are places on which nothing depends
 
     @property
     def lasting(self) -> Flags:
@@ -239,24 +226,16 @@ def _mode(flow: Flow, instant: Instant) -> ModeEquations:
 
 
 class _Held(NamedTuple):
-    """A mode without what is held: x = basis y + shift w and y' = matrix y + Re(push exp(iωt)).
+    """A mode without what is held: x = basis y + shift w and y' = matrix y + Re(push exp(iωt))."""
 
-    Attributes:
-        basis: (n, r), orthonormal.
-        shift: (n, forcing).
-        matrix: (r, r).
-        push, moduli: Of one and of each order: (1 + m, r), and the sums of moduli that it is made of.
-        forcing: What forces the states of each of these, complex, (1 + m, forcing).
-        omegas: 0 and the orders times that of the drive, rad/s, (1 + m,).
-    """
-
-    basis: Reals
-    shift: Reals
-    matrix: Reals
+    basis: Reals  # (n, r), orthonormal
+    shift: Reals  # (n, forcing)
+    matrix: Reals  # (r, r)
+    # push, moduli: Of one and of each order: (1 + m, r), and the sums of moduli that it is made of
     push: Complexes
     moduli: Reals
-    forcing: Complexes
-    omegas: Reals
+    forcing: Complexes  # What forces the states of each of these, complex, (1 + m, forcing)
+    omegas: Reals  # 0 and the orders times that of the drive, rad/s, (1 + m,)
 
     @classmethod
     def of(cls, flow: Flow, mode: ModeEquations) -> _Held:
@@ -278,25 +257,18 @@ class _Held(NamedTuple):
 
 
 class _Modal(NamedTuple):
-    """The free parts of y, with the places on which nothing depends left out: y = places a + rest V c.
+    """The free parts of y, with the places on which nothing depends left out: y = places a + rest V c."""
 
-    Attributes:
-        places: Directions on which nothing depends, (r, f).
-        rest: The other directions, (r, r - f).
-        onto_places, onto_rest: What gives the shares of both, (f, r) and (r - f, r).
-        rates: λ, 1/s, those that do not decay with a real part of zero, (r - f,).
-        vectors, inverse: V and its inverse, (r - f, r - f).
-        margins: Rounding of each λ, 1/s, (r - f,).
-    """
-
-    places: Reals
-    rest: Reals
+    places: Reals  # Directions on which nothing depends, (r, f)
+    rest: Reals  # The other directions, (r, r - f)
+    # onto_places, onto_rest: What gives the shares of both, (f, r) and (r - f, r)
     onto_places: Reals
     onto_rest: Reals
-    rates: Complexes
+    rates: Complexes  # λ, 1/s, those that do not decay with a real part of zero, (r - f,)
+    # vectors, inverse: V and its inverse, (r - f, r - f)
     vectors: Complexes
     inverse: Complexes
-    margins: Reals
+    margins: Reals  # Rounding of each λ, 1/s, (r - f,)
 
 
 def _modal(flow: Flow, mode: ModeEquations, held: _Held) -> _Modal | None:

@@ -75,24 +75,15 @@ MEETINGS = (
 
 @dataclass(frozen=True)
 class MechanismEvent:
-    """An event.
+    """An event."""
 
-    Attributes:
-        time: Time since the start of the motion, s.
-        part: Name of the play, stop or friction.
-        kind: What happens to it.
-        rate: Of its end less that of its start, m/s, just before an impulse; 0 where friction is held or
-            turns back.
-        impulse: That of a wall, N s; None of what gives none.
-        unit: Unit of the rate, rad/s of rotations.
-    """
-
-    time: float
-    part: str
-    kind: MechanismEventKind
+    time: float  # Time since the start of the motion, s
+    part: str  # Name of the play, stop or friction
+    kind: MechanismEventKind  # What happens to it
+    # Of its end less that of its start, m/s, just before an impulse; 0 where friction is held or turns back
     rate: float = 0.0
-    impulse: float | None = None
-    unit: str = "m/s"
+    impulse: float | None = None  # That of a wall, N s; None of what gives none
+    unit: str = "m/s"  # Unit of the rate, rad/s of rotations
 
     @property
     def speed(self) -> float:

@@ -10,15 +10,12 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.motion.flow import Flow
 from trimmer.response.shooting import CLOSED, Return, Shot
 
-FAR = 0.5
-"""Modulus of a multiplier below which it is far inside the unit circle, whatever its rounding."""
+FAR = 0.5  # Modulus of a multiplier below which it is far inside the unit circle, whatever its rounding
 ROUNDING = 64 * float(np.finfo(float).eps)
 """Rounding of the derivative of a return in each of its segments, as a share of its norm."""
 
-NEAR = 1e-3
-"""Distance of a multiplier from 1 below which the return hardly tells where the orbit is."""
-MISPLACED = 4.0
-"""By how many times its estimate an orbit may be misplaced."""
+NEAR = 1e-3  # Distance of a multiplier from 1 below which the return hardly tells where the orbit is
+MISPLACED = 4.0  # By how many times its estimate an orbit may be misplaced
 
 
 def multipliers_of(shot: Shot) -> tuple[Complexes, Reals]:

@@ -10,24 +10,16 @@ if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.response.orbit import Orbit
 
-NEAR = 0.1
-"""Distance of two states, as a share of their sizes, at which a motion may be about to repeat."""
+NEAR = 0.1  # Distance of two states, as a share of their sizes, at which a motion may be about to repeat
 MUCH_NEARER = 0.2
 """Share of the distance after k periods below which that after another number of periods is tried too."""
-LINEAR = 0.1
-"""Share of its distance by which a motion may differ from what the multipliers say of it."""
-CLOSE = 0.2
-"""Distance to an orbit, as a share of the sizes, beyond which its multipliers say nothing."""
-ON_EDGE = 1e-7
-"""Distance to an orbit on an edge up to which a sampled motion may still leave it."""
-ROUNDING = 1e-9
-"""Distance at which what is left is taken for rounding."""
-LEAST_RETURNS = 24
-"""Returns from which it is told whether a motion comes nearer to an orbit."""
-ERRORS = 4.0
-"""Standard errors by which a distance has to fall per return."""
-RETURNED = 1e-10
-"""Distance of a motion to itself that counts as none."""
+LINEAR = 0.1  # Share of its distance by which a motion may differ from what the multipliers say of it
+CLOSE = 0.2  # Distance to an orbit, as a share of the sizes, beyond which its multipliers say nothing
+ON_EDGE = 1e-7  # Distance to an orbit on an edge up to which a sampled motion may still leave it
+ROUNDING = 1e-9  # Distance at which what is left is taken for rounding
+LEAST_RETURNS = 24  # Returns from which it is told whether a motion comes nearer to an orbit
+ERRORS = 4.0  # Standard errors by which a distance has to fall per return
+RETURNED = 1e-10  # Distance of a motion to itself that counts as none
 
 
 def candidates(states: Reals, sizes: Reals, most: int) -> list[int]:

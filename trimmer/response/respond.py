@@ -33,18 +33,13 @@ from trimmer.response.solved import at_rest, rest_of, settled_at_last
 from trimmer.response.starts import Start, instant_of
 from trimmer.response.verdict import cut_short, grown, look_closely, unsettled
 
-MOST_PERIODS = 1000
-"""Drive periods that are waited for a motion to settle, if no number is given."""
-MORE = 10
-"""By how much longer is waited where all small distances shrink, or that to a stable orbit does."""
-LONG = 100
-"""Drive periods of settling beyond which a neighbouring start is tried too."""
+MOST_PERIODS = 1000  # Drive periods that are waited for a motion to settle, if no number is given
+MORE = 10  # By how much longer is waited where all small distances shrink, or that to a stable orbit does
+LONG = 100  # Drive periods of settling beyond which a neighbouring start is tried too
 AT_FIRST = 20
 """Drive periods, or periods of the slowest mode, in which an unknown motion shows how far it goes."""
-INSTANTS = 64
-"""Instants in each of these."""
-NEIGHBOUR = 1e-6
-"""Distance of the neighbouring start, as a share of the sizes of the states."""
+INSTANTS = 64  # Instants in each of these
+NEIGHBOUR = 1e-6  # Distance of the neighbouring start, as a share of the sizes of the states
 
 
 def respond(

@@ -15,29 +15,22 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures
 
-SAMPLES = 64
-"""Instants in the period of the fastest wave at which forces are taken."""
-ROUNDING = 64 * float(np.finfo(float).eps)
-"""Rounding of a rate as a share of the moduli of its terms."""
+SAMPLES = 64  # Instants in the period of the fastest wave at which forces are taken
+ROUNDING = 64 * float(np.finfo(float).eps)  # Rounding of a rate as a share of the moduli of its terms
 RESTING = 1e-9
 """Share of its size by which a state that is at rest changes at most in a period of the slowest mode."""
 
 
 @dataclass(frozen=True, eq=False)
 class Rest:
-    """A mechanism or loop at rest.
+    """A mechanism or loop at rest."""
 
-    Attributes:
-        flow: What rests.
-        instant: Where it rests.
-        family: Whether it is one of many places side by side, as where friction or a gap lets a body stay
-            wherever it stopped: the digits then belong to the start.
-        asymptotic: Whether it is the limit of slips that become smaller for ever, and is never reached.
-    """
-
-    flow: Flow
-    instant: Instant
+    flow: Flow  # What rests
+    instant: Instant  # Where it rests
+    # Whether it is one of many places side by side, as where friction or a gap lets a body stay wherever it
+    # stopped: the digits then belong to the start
     family: bool
+    # Whether it is the limit of slips that become smaller for ever, and is never reached
     asymptotic: bool = False
 
     @cached_property

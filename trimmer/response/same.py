@@ -18,12 +18,10 @@ if TYPE_CHECKING:
     from trimmer.response.response import SettledMotion
     from trimmer.response.rest import Rest
 
-POINTS = 32
-"""Points of a period at which two orbits are compared."""
+POINTS = 32  # Points of a period at which two orbits are compared
 ERRORS = 4.0
 """Standard errors by which two motions that do not repeat differ at most in each measure, if they are one."""
-FLOOR = 1e-3
-"""Share of a measure over a window that its error does not tell."""
+FLOOR = 1e-3  # Share of a measure over a window that its error does not tell
 
 
 def same_motion(motion: SettledMotion, other: SettledMotion) -> bool:

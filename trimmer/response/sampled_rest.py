@@ -14,8 +14,7 @@ from trimmer.hybrid.advance import Ending, Instant
 from trimmer.motion.flow import Flow
 from trimmer.response.rest import Rest
 
-GONE = 1e-9
-"""Share of the sizes of a motion up to which what is left of it is none."""
+GONE = 1e-9  # Share of the sizes of a motion up to which what is left of it is none
 SINGULAR = 1e-9
 """Share of the largest singular value up to which one is zero: any place in its direction is one of rest."""
 DRIFT = 1e-13

@@ -19,42 +19,30 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.part import mirrored
 
-CLOSED = 1e-10
-"""Miss of the return, as a share of the sizes of the states, below which it counts as closed."""
-SETTLED = 4e-15
-"""Miss at which Newton's method stops, since only rounding is left."""
+CLOSED = 1e-10  # Miss of the return, as a share of the sizes of the states, below which it counts as closed
+SETTLED = 4e-15  # Miss at which Newton's method stops, since only rounding is left
 NEARLY_SETTLED = 5e-14
 """Miss at which it stops too after a step that left no more than ``FAST`` of the miss before."""
 FAST = 1e-4
 """Share of the miss that a step leaves where Newton's method is at its best: what is left is rounding."""
-ROUNDED = 1e-12
-"""Miss below which a step that does not reduce it is not shortened: it is rounding."""
-SINGULAR = 1e-12
-"""Share of the largest singular value of Newton's matrix below which one is rounding."""
-SAMPLES = 16
-"""Instants at which a motion without events is looked at."""
-MOST_CALM = 3
-"""How often an instant amid a long segment is looked for, as the motion changes."""
+ROUNDED = 1e-12  # Miss below which a step that does not reduce it is not shortened: it is rounding
+SINGULAR = 1e-12  # Share of the largest singular value of Newton's matrix below which one is rounding
+SAMPLES = 16  # Instants at which a motion without events is looked at
+MOST_CALM = 3  # How often an instant amid a long segment is looked for, as the motion changes
 POLISHED = 40
 """Newton steps beyond the patience for what is closed: near a state that many orbits meet, each is a half."""
-LONGEST = 4.0
-"""Factor by which an unknown period may grow; a longer one has lost the motion."""
+LONGEST = 4.0  # Factor by which an unknown period may grow; a longer one has lost the motion
 
 
 @dataclass(frozen=True, eq=False)
 class Shot:
-    """A motion over the time after which it is to return.
+    """A motion over the time after which it is to return."""
 
-    Attributes:
-        course: The motion.
-        sizes: Scale of each state, for comparing them, (n,).
-        calm: The same motion from amid a long segment, where it was solved; None if it begins there.
-        signs: What the end is multiplied by, (n,), if it is to be the mirror image of the start; else None.
-    """
-
-    course: Course
-    sizes: Reals
+    course: Course  # The motion
+    sizes: Reals  # Scale of each state, for comparing them, (n,)
+    # The same motion from amid a long segment, where it was solved; None if it begins there
     calm: Shot | None = None
+    # What the end is multiplied by, (n,), if it is to be the mirror image of the start; else None
     signs: Reals | None = None
 
     @cached_property
@@ -120,21 +108,13 @@ def _shortest(matrix: Reals, right: Reals) -> Reals:
 
 @dataclass(frozen=True, eq=False)
 class Return:
-    """The problem of a state that returns.
+    """The problem of a state that returns."""
 
-    Attributes:
-        flow: What moves.
-        periods: Number of drive periods after which it returns; 0 without a drive.
-        most_steps: Steps of one integration.
-        mirrored: Whether the state returns as its mirror image, after half of an unknown period.
-        alike: Whether only motions count that end with the statuses that they began with.
-    """
-
-    flow: Flow
-    periods: int
-    most_steps: int = 200_000
-    mirrored: bool = False
-    alike: bool = False
+    flow: Flow  # What moves
+    periods: int  # Number of drive periods after which it returns; 0 without a drive
+    most_steps: int = 200_000  # Steps of one integration
+    mirrored: bool = False  # Whether the state returns as its mirror image, after half of an unknown period
+    alike: bool = False  # Whether only motions count that end with the statuses that they began with
 
     def shoot(self, instant: Instant, duration: float = 0.0, sizes: Reals | None = None) -> Shot | None:
         """Follow the motion; None if it ends before its time.
@@ -210,17 +190,11 @@ def sizes_of(course: Course) -> Reals:
 
 @dataclass(frozen=True)
 class Patience:
-    """How long an orbit is looked for.
+    """How long an orbit is looked for."""
 
-    Attributes:
-        iterations: Number of Newton steps.
-        halvings: Halvings of a step that does not reduce the miss.
-        followed: How often the motion is followed once more where no Newton step reduces the miss.
-    """
-
-    iterations: int = 40
-    halvings: int = 10
-    followed: int = 4
+    iterations: int = 40  # Number of Newton steps
+    halvings: int = 10  # Halvings of a step that does not reduce the miss
+    followed: int = 4  # How often the motion is followed once more where no Newton step reduces the miss
 
 
 def solve(

@@ -19,8 +19,7 @@ if TYPE_CHECKING:
     from trimmer.response.motion import MechanismMotion
     from trimmer.response.starts import Start
 
-MOST_STEPS = 20_000_000
-"""Steps of one simulation, if no number is given: some ten seconds."""
+MOST_STEPS = 20_000_000  # Steps of one simulation, if no number is given: some ten seconds
 
 
 @overload

@@ -22,39 +22,24 @@ from trimmer.response.sampled_rest import sampled_rest
 from trimmer.response.shooting import Patience, Return, sizes_of, solve
 from trimmer.response.window import watch
 
-PATIENCE = Patience(iterations=4, halvings=1, followed=0)
-"""For an orbit that is known to rounding."""
-MOST_PERIODS = 64
-"""Periods after which free vibrations and a drive return together at most."""
-A_TURN = 1e-11
-"""Share of a turn by which a phase may miss its return."""
-WINDOW = 128
-"""Drive periods over which a torus is watched."""
-A_SECOND = 1.0
-"""Over which what only moves on evenly is told, s: any time is a period of it."""
-EVENLY = "it moves on evenly, so that any time is a period"
-"""What is said of that."""
-GONE = 1e-9
-"""Share of the sizes of a motion at which what decays is gone."""
-LEFT = 1e-3
-"""Share of the start at which it is called gone."""
+PATIENCE = Patience(iterations=4, halvings=1, followed=0)  # For an orbit that is known to rounding
+MOST_PERIODS = 64  # Periods after which free vibrations and a drive return together at most
+A_TURN = 1e-11  # Share of a turn by which a phase may miss its return
+WINDOW = 128  # Drive periods over which a torus is watched
+A_SECOND = 1.0  # Over which what only moves on evenly is told, s: any time is a period of it
+EVENLY = "it moves on evenly, so that any time is a period"  # What is said of that
+GONE = 1e-9  # Share of the sizes of a motion at which what decays is gone
+LEFT = 1e-3  # Share of the start at which it is called gone
 
 
 @dataclass(frozen=True, eq=False)
 class Solved:
-    """What a motion comes to.
+    """What a motion comes to."""
 
-    Attributes:
-        kind: What it is: periodic, at rest, or on a torus.
-        motion: It, with all that decays.
-        orbit: Where it repeats, or rests beside a drive.
-        rest: Where it rests.
-    """
-
-    kind: MotionKind
-    motion: LinearMotion
-    orbit: Orbit | None = None
-    rest: Rest | None = None
+    kind: MotionKind  # What it is: periodic, at rest, or on a torus
+    motion: LinearMotion  # It, with all that decays
+    orbit: Orbit | None = None  # Where it repeats, or rests beside a drive
+    rest: Rest | None = None  # Where it rests
 
     @property
     def decay(self) -> float:

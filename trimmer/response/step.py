@@ -22,24 +22,17 @@ from trimmer.response.step_end import StepEnd, followed
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Table, attributes
 
-SEEN = 1.5
-"""Share of the time until nothing moves any more that is shown of a motion that comes to rest."""
-CLOSE = 2e-3
-"""Share of the step within which an output counts as still."""
+SEEN = 1.5  # Share of the time until nothing moves any more that is shown of a motion that comes to rest
+CLOSE = 2e-3  # Share of the step within which an output counts as still
 
 
 @dataclass(frozen=True)
 class Hunting:
-    """What an output does that does not come to rest.
+    """What an output does that does not come to rest."""
 
-    Attributes:
-        amplitude: Half of peak to peak, in the unit of the output.
-        period: Of the cycle, s; None where nothing repeats.
-        frequency: Of the cycle, or of its largest line where nothing repeats, Hz; None if that is not known.
-    """
-
-    amplitude: float
-    period: float | None
+    amplitude: float  # Half of peak to peak, in the unit of the output
+    period: float | None  # Of the cycle, s; None where nothing repeats
+    # Of the cycle, or of its largest line where nothing repeats, Hz; None if that is not known
     frequency: float | None
 
 

@@ -26,44 +26,30 @@ if TYPE_CHECKING:
     from trimmer.motion.course import Course
     from trimmer.response.orbit import Orbit
 
-STRETCHES = (5, 20, 80, 320, 1280)
-"""How long is followed at most, in periods of the slowest mode."""
-CYCLES = (5, 20, 80)
-"""The same in periods of a cycle."""
+STRETCHES = (5, 20, 80, 320, 1280)  # How long is followed at most, in periods of the slowest mode
+CYCLES = (5, 20, 80)  # The same in periods of a cycle
 MOST_EVENTS = 1500
 """Events, as far as they can be foreseen, up to which a further stretch is followed without a known cycle."""
 ALIKE, AT_LAST = 1e-3, 0.1
 """Share by which two stretches of a motion that hunts evenly may differ in size; at the end of the wait."""
-ON_CYCLE = 1e-3
-"""Share of its size by which a motion may still miss the cycle that it settles to."""
-STILL = 1e-12
-"""Share of its largest value by which an output moves at most that has come to rest."""
-SEEN = 1000
-"""Instants at which it is looked at."""
+ON_CYCLE = 1e-3  # Share of its size by which a motion may still miss the cycle that it settles to
+STILL = 1e-12  # Share of its largest value by which an output moves at most that has come to rest
+SEEN = 1000  # Instants at which it is looked at
 
 
 @dataclass(frozen=True, eq=False)
 class StepEnd:
-    """A motion through a step, and what an output does at its end.
+    """A motion through a step, and what an output does at its end."""
 
-    Attributes:
-        flow: What moves.
-        course: The motion.
-        rests: Whether it comes to rest.
-        lowest, highest: Of the output at rest, in the last period of the cycle, or in the last half.
-        mean: Its mean there.
-        settled: Whether it rests, or swings evenly.
-        mirrored: Whether it swings as the mirror image of the cycle does.
-    """
-
-    flow: MechanismFlow
-    course: Course
-    rests: bool
+    flow: MechanismFlow  # What moves
+    course: Course  # The motion
+    rests: bool  # Whether it comes to rest
+    # lowest, highest: Of the output at rest, in the last period of the cycle, or in the last half
     lowest: float
     highest: float
-    mean: float
-    settled: bool
-    mirrored: bool = False
+    mean: float  # Its mean there
+    settled: bool  # Whether it rests, or swings evenly
+    mirrored: bool = False  # Whether it swings as the mirror image of the cycle does
 
     @property
     def amplitude(self) -> float:

@@ -18,26 +18,18 @@ from trimmer.response.solved import rest_after
 
 STRETCHES = (5, 20, 80, 320)
 """How long is waited for rest after the last time of a profile, in periods of the slowest mode."""
-DRIVEN = 20
-"""Drive periods that are followed after it, where a drive leaves nothing at rest."""
-MOST_STEPS = 2_000_000
-"""Steps of one motion."""
+DRIVEN = 20  # Drive periods that are followed after it, where a drive leaves nothing at rest
+MOST_STEPS = 2_000_000  # Steps of one motion
 
 
 @dataclass(frozen=True, eq=False)
 class Switching:
-    """What a machine does from its start on.
+    """What a machine does from its start on."""
 
-    Attributes:
-        motion: The motion, with all of its events.
-        closings: How its contacts close, by name.
-        last: Time of its last event, s; that at which the last profile ends, if that is later.
-        rest: Where it rests at last; None if a drive keeps it moving, or it was not seen to rest.
-    """
-
-    motion: MechanismMotion
-    closings: Mapping[str, Closing]
-    last: float
+    motion: MechanismMotion  # The motion, with all of its events
+    closings: Mapping[str, Closing]  # How its contacts close, by name
+    last: float  # Time of its last event, s; that at which the last profile ends, if that is later
+    # Where it rests at last; None if a drive keeps it moving, or it was not seen to rest
     rest: Rest | None = None
 
 

@@ -20,26 +20,16 @@ if TYPE_CHECKING:
     from trimmer.motion.flow import Flow
     from trimmer.response.settling import Settling
 
-WINDOW = 512
-"""Drive periods that a motion is watched at first."""
-MOST_WINDOWS = 4
-"""By how much the window grows at most while the kind of the motion is undecided."""
-ERRORS = 3.0
-"""Standard errors by which an exponent has to differ from zero."""
-RESOLVED = 0.05
-"""Largest modulus of an exponent per drive period, errors included, that is taken for zero."""
-ORDERLY = 0.2
-"""Largest result of the 0-1 test of a motion on a torus."""
-STEADY = 0.1
-"""Share by which the swing of a motion on a torus may differ between the halves of the window."""
-NEIGHBOUR = 1e-9
-"""Distance of the motion that is followed beside the first one, as a share of the sizes."""
-LEAVES = 1e3
-"""Growth of that distance at which the neighbour has left."""
-SEED = 2
-"""Of the direction in which that neighbour lies."""
-BESIDE = 256
-"""Drive periods over which both are followed."""
+WINDOW = 512  # Drive periods that a motion is watched at first
+MOST_WINDOWS = 4  # By how much the window grows at most while the kind of the motion is undecided
+ERRORS = 3.0  # Standard errors by which an exponent has to differ from zero
+RESOLVED = 0.05  # Largest modulus of an exponent per drive period, errors included, that is taken for zero
+ORDERLY = 0.2  # Largest result of the 0-1 test of a motion on a torus
+STEADY = 0.1  # Share by which the swing of a motion on a torus may differ between the halves of the window
+NEIGHBOUR = 1e-9  # Distance of the motion that is followed beside the first one, as a share of the sizes
+LEAVES = 1e3  # Growth of that distance at which the neighbour has left
+SEED = 2  # Of the direction in which that neighbour lies
+BESIDE = 256  # Drive periods over which both are followed
 
 
 def cut_short(settling: Settling, agrees: bool | None) -> SettledMotion:
@@ -97,17 +87,11 @@ def look_closely(flow: Flow, instant: Instant) -> Seen | None:
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """What was seen of a motion that has not settled.
+    """What was seen of a motion that has not settled."""
 
-    Attributes:
-        flow: The motion of the mechanism.
-        window: The motion over some drive periods.
-        leaves: Whether a neighbouring motion leaves it.
-    """
-
-    flow: Flow
-    window: Watched
-    leaves: bool
+    flow: Flow  # The motion of the mechanism
+    window: Watched  # The motion over some drive periods
+    leaves: bool  # Whether a neighbouring motion leaves it
 
     def grows(self, waited: int) -> bool:
         """Say whether it grows in proportion to its age, after some drive periods and the window."""

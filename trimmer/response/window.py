@@ -25,62 +25,37 @@ from trimmer.response.estimate import Estimate, mean_of
 from trimmer.response.pace import pace_of
 from trimmer.response.shooting import sizes_of
 
-SAMPLES = 64
-"""Samples in a drive period, for the spectrum."""
-SEGMENT = 128
-"""Drive periods of a segment of the spectrum, at most."""
-TOGETHER = 8
-"""Drive periods that are taken together: a row of each series below."""
-MOST_LINES = 8
-"""Lines of an output that are looked for whatever they are multiples of."""
-LEAST = 1e-3
-"""Share of the largest one from which on they count."""
-SEED = 0
-"""Of the directions of the small distances that are followed."""
-SMALLEST = 1e-16
-"""Growth of a distance over a row below which it counts as lost."""
+SAMPLES = 64  # Samples in a drive period, for the spectrum
+SEGMENT = 128  # Drive periods of a segment of the spectrum, at most
+TOGETHER = 8  # Drive periods that are taken together: a row of each series below
+MOST_LINES = 8  # Lines of an output that are looked for whatever they are multiples of
+LEAST = 1e-3  # Share of the largest one from which on they count
+SEED = 0  # Of the directions of the small distances that are followed
+SMALLEST = 1e-16  # Growth of a distance over a row below which it counts as lost
 
 
 @dataclass(frozen=True, eq=False)
 class Watched:
-    """What was seen of a motion, in rows of some drive periods each.
+    """What was seen of a motion, in rows of some drive periods each."""
 
-    Attributes:
-        flow: What moves, in the frame that advances evenly with it, if it does.
-        sizes: Scale of each state, (n,).
-        begin: Where the window begins.
-        end: Where it ends.
-        ending: Why, if it had to.
-        growth: Logarithms of the growth of two distances at right angles, per period, (rows, 2).
-        means, squares: Mean and mean square of each output, (rows, outputs).
-        waves: Complex amplitudes of the harmonics, (rows, harmonics, outputs).
-        ranges: Smallest and largest value of each output, (rows, outputs, 2).
-        accelerations: Mean square of the acceleration of each body, m²/s⁴, (rows, bodies).
-        events: Number of events per drive period, (rows,).
-        states: At the start of each period, (periods, n), shifted so that leaders are at 0.
-        samples: Outputs at equal steps, (steps periods, outputs).
-        together: Drive periods in a row.
-        steps: Samples in a drive period.
-        unit: Period of the drive, or what stands for it, s.
-    """
-
-    flow: Flow
-    sizes: Reals
-    begin: Instant
-    end: Instant
-    ending: Ending
-    growth: Reals
+    flow: Flow  # What moves, in the frame that advances evenly with it, if it does
+    sizes: Reals  # Scale of each state, (n,)
+    begin: Instant  # Where the window begins
+    end: Instant  # Where it ends
+    ending: Ending  # Why, if it had to
+    growth: Reals  # Logarithms of the growth of two distances at right angles, per period, (rows, 2)
+    # means, squares: Mean and mean square of each output, (rows, outputs)
     means: Reals
     squares: Reals
-    waves: Complexes
-    ranges: Reals
-    accelerations: Reals
-    events: Reals
-    states: Reals
-    samples: Reals
-    together: int = TOGETHER
-    steps: int = SAMPLES
-    unit: float = 0.0
+    waves: Complexes  # Complex amplitudes of the harmonics, (rows, harmonics, outputs)
+    ranges: Reals  # Smallest and largest value of each output, (rows, outputs, 2)
+    accelerations: Reals  # Mean square of the acceleration of each body, m²/s⁴, (rows, bodies)
+    events: Reals  # Number of events per drive period, (rows,)
+    states: Reals  # At the start of each period, (periods, n), shifted so that leaders are at 0
+    samples: Reals  # Outputs at equal steps, (steps periods, outputs)
+    together: int = TOGETHER  # Drive periods in a row
+    steps: int = SAMPLES  # Samples in a drive period
+    unit: float = 0.0  # Period of the drive, or what stands for it, s
 
     @property
     def duration(self) -> float:

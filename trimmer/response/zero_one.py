@@ -10,10 +10,8 @@ import numpy as np
 
 from trimmer.arrays import Reals
 
-SEED = 0
-"""Of the angles, which are the same for each series."""
-ANGLES = 101
-"""Number of angles by which the plane turns at each step, of which the median counts."""
+SEED = 0  # Of the angles, which are the same for each series
+ANGLES = 101  # Number of angles by which the plane turns at each step, of which the median counts
 
 
 def growth_of_walk(series: Reals) -> float:

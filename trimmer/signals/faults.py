@@ -63,11 +63,9 @@ def _found(signal: Signal, runs: _Runs) -> Iterator[Fault]:
 class _Runs:
     """Runs of equal samples, and the step of the converter."""
 
-    # Samples, shape (n,). begins, lengths: Place of the first sample of each run, and number of samples,
-    # shape (m,).
-    values: Reals
-    begins: Places
-    lengths: Places
+    values: Reals  # Samples, shape (n,)
+    begins: Places  # Place of the first sample of each run, shape (m,)
+    lengths: Places  # Number of samples of each, shape (m,)
     levels: Reals  # Different values, rising, shape (k,)
     step: float  # Smallest difference of two of them
 

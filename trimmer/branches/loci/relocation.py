@@ -17,29 +17,19 @@ from trimmer.branches.step import Front, begun
 from trimmer.branches.stepping import SMALLEST, Interval, Limits, longest_step, scales
 from trimmer.errors import TrimmerError
 
-MOST_STEPS = 24
-"""Steps within which a piece of branch must have been followed."""
-ACROSS = 2.2
-"""Length of the first step, in reaches: one that passes the guess, where nothing shortens it."""
-BEYOND = 1.1
-"""How far behind the guess a piece ends, in reaches."""
-SHORT = 1e-3
-"""Length of a step, in reaches, below which a piece without a corner is given up."""
-FARTHEST = 2.0
-"""Largest distance of the point from the guess, in reaches."""
+MOST_STEPS = 24  # Steps within which a piece of branch must have been followed
+ACROSS = 2.2  # Length of the first step, in reaches: one that passes the guess, where nothing shortens it
+BEYOND = 1.1  # How far behind the guess a piece ends, in reaches
+SHORT = 1e-3  # Length of a step, in reaches, below which a piece without a corner is given up
+FARTHEST = 2.0  # Largest distance of the point from the guess, in reaches
 
 
 @dataclass(frozen=True)
 class Sought:
-    """What a special point must be to be the same.
+    """What a special point must be to be the same."""
 
-    Attributes:
-        kind: What happens there.
-        parts: Names of the parts whose phases change there.
-    """
-
-    kind: SpecialKind
-    parts: tuple[str, ...]
+    kind: SpecialKind  # What happens there
+    parts: tuple[str, ...]  # Names of the parts whose phases change there
 
     def fits(self, point: SpecialPoint) -> bool:
         """Say whether a point is of this kind, in these parts."""
@@ -48,17 +38,11 @@ class Sought:
 
 @dataclass(frozen=True, eq=False)
 class Relocated:
-    """What was found on a short piece of branch.
+    """What was found on a short piece of branch."""
 
-    Attributes:
-        point: The special point that was sought; None if it is not there.
-        others: The special points of other kinds or parts.
-        problem: The scale of the coordinates.
-    """
-
-    point: SpecialPoint | None
-    others: tuple[SpecialPoint, ...]
-    problem: Problem
+    point: SpecialPoint | None  # The special point that was sought; None if it is not there
+    others: tuple[SpecialPoint, ...]  # The special points of other kinds or parts
+    problem: Problem  # The scale of the coordinates
 
 
 def relocated(

@@ -13,25 +13,17 @@ from trimmer.branches.period_maps.driven_map import DrivenMap
 from trimmer.branches.special import SpecialPoint
 from trimmer.errors import MechanismError
 
-PREDICTING = 3
-"""Points from which the next one is predicted."""
+PREDICTING = 3  # Points from which the next one is predicted
 
 
 @dataclass(frozen=True, eq=False)
 class LocusPoint:
-    """A point of a locus.
+    """A point of a locus."""
 
-    Attributes:
-        values: As shares of the ranges, (2,).
-        state: State where the orbits begin at present, (n,).
-        sizes: Its scale, (n,).
-        strobed: State at the start of a drive period, (n,).
-    """
-
-    values: Reals
-    state: Reals
-    sizes: Reals
-    strobed: Reals
+    values: Reals  # As shares of the ranges, (2,)
+    state: Reals  # State where the orbits begin at present, (n,)
+    sizes: Reals  # Its scale, (n,)
+    strobed: Reals  # State at the start of a drive period, (n,)
 
 
 @dataclass(frozen=True, eq=False)

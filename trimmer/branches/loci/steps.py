@@ -17,24 +17,17 @@ from trimmer.branches.loci.locus import LocusEnd, LocusSettings
 from trimmer.branches.loci.search import PREDICTING, LocusPoint, Search, Track, apart, found_again, restart
 from trimmer.progress import progress_bar
 
-FIRST_STEP = 2e-3
-"""Length of the first step, as a share of the ranges."""
+FIRST_STEP = 2e-3  # Length of the first step, as a share of the ranges
 FIRST_REACHES = (1e-2, 1e-3, 1e-1)
 """Distances at which the first points are looked for, in coordinates without units, in their order."""
-REACH = 0.5
-"""Distance from a prediction within which a point is looked for, relative to the step."""
+REACH = 0.5  # Distance from a prediction within which a point is looked for, relative to the step
 LEAST_REACH = 2e-5
-WORST = 0.2
-"""Error of a prediction, relative to the step, above which the step is shortened."""
+WORST = 0.2  # Error of a prediction, relative to the step, above which the step is shortened
 MUCH_SHORTER = 0.1
-LARGEST_MOVE = 0.2
-"""Largest length of a step, states included."""
-ACCURATE = 0.03
-"""Error of a prediction, relative to the step, below which the next step is longer."""
-SHARP = 0.05
-"""Share of the numbers in a step, against the states, below which a locus turns sharply back."""
-CLOSES = 1e-3
-"""Distance from the first point, in ranges, within which a locus may close."""
+LARGEST_MOVE = 0.2  # Largest length of a step, states included
+ACCURATE = 0.03  # Error of a prediction, relative to the step, below which the next step is longer
+SHARP = 0.05  # Share of the numbers in a step, against the states, below which a locus turns sharply back
+CLOSES = 1e-3  # Distance from the first point, in ranges, within which a locus may close
 
 
 def followed(search: Search, track: Track, sign: float, settings: LocusSettings) -> LocusEnd:

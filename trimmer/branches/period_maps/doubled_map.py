@@ -14,15 +14,10 @@ from trimmer.motion.part import Phase
 
 @dataclass(frozen=True, eq=False)
 class DoubledPassage:
-    """Two passages, the second from the end of the first.
+    """Two passages, the second from the end of the first."""
 
-    Attributes:
-        first: The first.
-        second: The second.
-    """
-
-    first: Passage
-    second: Passage
+    first: Passage  # The first
+    second: Passage  # The second
 
     @property
     def end(self) -> Reals:
@@ -92,13 +87,9 @@ class DoubledPassage:
 
 @dataclass(frozen=True, eq=False)
 class DoubledMap:
-    """The map of two passages. Of a mirrored map it is a whole period, without mirror.
+    """The map of two passages. Of a mirrored map it is a whole period, without mirror."""
 
-    Attributes:
-        single: The map of one passage.
-    """
-
-    single: PeriodMap
+    single: PeriodMap  # The map of one passage
     mirrored: bool = False
 
     @property

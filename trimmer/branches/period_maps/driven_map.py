@@ -18,36 +18,24 @@ from trimmer.motion.part import mirrored
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of
 
-DIFFERENCE = 1e-7
-"""Relative difference of the value from which the derivative by it is taken."""
-MOST_STEPS = 200_000
-"""Steps of a passage, after which it counts as one that cannot be followed."""
+DIFFERENCE = 1e-7  # Relative difference of the value from which the derivative by it is taken
+MOST_STEPS = 200_000  # Steps of a passage, after which it counts as one that cannot be followed
 
 
 @dataclass(frozen=True, eq=False)
 class DrivenMap:
-    """The map of some drive periods, or of half of them with the mirror image of the end.
+    """The map of some drive periods, or of half of them with the mirror image of the end."""
 
-    Attributes:
-        subject: What moves; it has a frequency.
-        place: Dotted place of the number that is varied.
-        scale: Magnitude of the number, in its unit, for differences.
-        periods: Drive periods after which the motion repeats; odd, if mirrored.
-        mirrored: Whether half a period is followed and the end taken with changed signs.
-        single: The map of which this is two passages; None if it was not doubled.
-        share: Time after the start of a drive period at which a passage begins, in drive periods; None where
-            it begins with a drive period because nothing else was chosen yet.
-        flows: What moves, over the number.
-    """
-
-    subject: Subject
-    place: str
-    scale: float
-    periods: int = 1
-    mirrored: bool = False
-    single: DrivenMap | None = None
+    subject: Subject  # What moves; it has a frequency
+    place: str  # Dotted place of the number that is varied
+    scale: float  # Magnitude of the number, in its unit, for differences
+    periods: int = 1  # Drive periods after which the motion repeats; odd, if mirrored
+    mirrored: bool = False  # Whether half a period is followed and the end taken with changed signs
+    single: DrivenMap | None = None  # The map of which this is two passages; None if it was not doubled
+    # Time after the start of a drive period at which a passage begins, in drive periods; None where it begins
+    # with a drive period because nothing else was chosen yet
     share: float | None = None
-    flows: Flows = field(default=cast("Flows", None), repr=False)
+    flows: Flows = field(default=cast("Flows", None), repr=False)  # What moves, over the number
 
     def __post_init__(self) -> None:
         flows = self.flows

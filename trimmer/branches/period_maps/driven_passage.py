@@ -25,21 +25,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class DrivenPassage:
-    """The motion from a state over its periods.
+    """The motion from a state over its periods."""
 
-    Attributes:
-        map: The map.
-        value: Value of the number that is varied.
-        flow: What moves.
-        begin: The instant at which it begins.
-        course: The motion.
-    """
-
-    map: DrivenMap
-    value: float
-    flow: Flow
-    begin: Instant
-    course: Course
+    map: DrivenMap  # The map
+    value: float  # Value of the number that is varied
+    flow: Flow  # What moves
+    begin: Instant  # The instant at which it begins
+    course: Course  # The motion
 
     def returned(self, values: Reals) -> Reals:
         """Return what belongs to the entries of the end, (n, ...), with their signs in a mirrored map."""

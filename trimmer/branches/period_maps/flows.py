@@ -16,14 +16,10 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of
 
-KEPT = 4
-"""Values whose flows are kept."""
-WORTH = 3
-"""Values beyond all that are known from which on it is asked whether the equations are affine."""
-TRIES = 2
-"""How often they may turn out not to be."""
-WIDTH = 2.0
-"""Factor between a value and the ends of the interval in which they are then known."""
+KEPT = 4  # Values whose flows are kept
+WORTH = 3  # Values beyond all that are known from which on it is asked whether the equations are affine
+TRIES = 2  # How often they may turn out not to be
+WIDTH = 2.0  # Factor between a value and the ends of the interval in which they are then known
 
 
 @dataclass(eq=False)

@@ -23,29 +23,19 @@ from trimmer.hybrid.system import NOTHING
 from trimmer.motion.course import Course
 from trimmer.response.flows import flow_of
 
-LONGEST = 4.0
-"""Factor by which the period may differ from that of the plane; beyond it the motion is lost."""
-NEAR = 2.0
-"""Factor by which the period may differ before another plane is taken."""
-ACROSS = 0.7
-"""Least cosine of the angle between the motion and the normal of the plane, else it is turned."""
-SAMPLES = 256
-"""Instants of a motion between which it is to pass the plane at most once."""
+LONGEST = 4.0  # Factor by which the period may differ from that of the plane; beyond it the motion is lost
+NEAR = 2.0  # Factor by which the period may differ before another plane is taken
+ACROSS = 0.7  # Least cosine of the angle between the motion and the normal of the plane, else it is turned
+SAMPLES = 256  # Instants of a motion between which it is to pass the plane at most once
 
 
 @dataclass(frozen=True, eq=False)
 class Section:
-    """The plane at which orbits begin.
+    """The plane at which orbits begin."""
 
-    Attributes:
-        point: A state on it, (n,).
-        normal: Across it, in one over the units of the states, (n,).
-        period: About that of the orbits, s.
-    """
-
-    point: Reals
-    normal: Reals
-    period: float
+    point: Reals  # A state on it, (n,)
+    normal: Reals  # Across it, in one over the units of the states, (n,)
+    period: float  # About that of the orbits, s
 
     def height(self, states: Reals) -> Reals:
         """Return how far states, (..., n), are beyond it."""
@@ -133,13 +123,9 @@ class SelfExcitedMap(DrivenMap):
 
 @dataclass(frozen=True, eq=False)
 class SelfExcitedPassage(DrivenPassage):
-    """The motion of a mechanism without a drive over its period.
+    """The motion of a mechanism without a drive over its period."""
 
-    Attributes:
-        start: State and period, (n + 1,).
-    """
-
-    start: Reals
+    start: Reals  # State and period, (n + 1,)
 
     @property
     def section(self) -> Section:

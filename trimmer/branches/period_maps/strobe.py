@@ -12,14 +12,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Restart:
-    """An orbit as one that begins at another instant.
+    """An orbit as one that begins at another instant."""
 
-    Attributes:
-        map: The map of its period from there.
-        state: State there, shape (n,).
-        tangent: Which way along the branch its tangent shall point, shape (n + 1,).
-    """
-
-    map: PeriodMap
-    state: Reals
-    tangent: Reals
+    map: PeriodMap  # The map of its period from there
+    state: Reals  # State there, shape (n,)
+    tangent: Reals  # Which way along the branch its tangent shall point, shape (n + 1,)

@@ -12,23 +12,14 @@ from trimmer.mechanism.controls.controllers import Controller
 
 
 class Held(NamedTuple):
-    """Places in the extended state of what a sampled controller holds.
+    """Places in the extended state of what a sampled controller holds."""
 
-    Attributes:
-        sample: s.
-        states: Of the states of its law.
-        waiting: Of what was demanded and is on its way, the oldest first.
-        acting: Of what acts; the first of these if it acts at a sample.
-        delay: Time after a sample at which what it demanded acts, s; 0 if that is another sample.
-        end: The place behind all.
-    """
-
-    sample: float
-    states: tuple[int, ...]
-    waiting: tuple[int, ...]
-    acting: int
-    delay: float
-    end: int
+    sample: float  # s
+    states: tuple[int, ...]  # Of the states of its law
+    waiting: tuple[int, ...]  # Of what was demanded and is on its way, the oldest first
+    acting: int  # Of what acts; the first of these if it acts at a sample
+    delay: float  # Time after a sample at which what it demanded acts, s; 0 if that is another sample
+    end: int  # The place behind all
 
     @property
     def places(self) -> tuple[int, ...]:

@@ -19,42 +19,27 @@ from trimmer.arrays import Reals
 from trimmer.mechanism.controls.controllers import Cascade, Controller, Pid, TransferController
 from trimmer.mechanism.mechanism import Mechanism
 
-ERROR, SPEED, RATE = range(3)
-"""What goes into a law."""
+ERROR, SPEED, RATE = range(3)  # What goes into a law
 
 
 @dataclass(frozen=True, eq=False)
 class Linear:
-    """x' = state x + given u, y = read x + through u, with n states and m inputs.
+    """x' = state x + given u, y = read x + through u, with n states and m inputs."""
 
-    Attributes:
-        names: What the states are.
-        state: (n, n).
-        given: (n, m).
-        read: (n,).
-        through: (m,).
-    """
-
-    names: tuple[str, ...]
-    state: Reals
-    given: Reals
-    read: Reals
-    through: Reals
+    names: tuple[str, ...]  # What the states are
+    state: Reals  # (n, n)
+    given: Reals  # (n, m)
+    read: Reals  # (n,)
+    through: Reals  # (m,)
 
 
 @dataclass(frozen=True, eq=False)
 class Law:
-    """A continuous controller.
+    """A continuous controller."""
 
-    Attributes:
-        demand: From error, speed and rate of the reference to what is demanded.
-        tracking: What follows the limit: t above, (n,).
-        acting: From what is left of that by the limit to what acts: the delay, or nothing.
-    """
-
-    demand: Linear
-    tracking: Reals
-    acting: Linear
+    demand: Linear  # From error, speed and rate of the reference to what is demanded
+    tracking: Reals  # What follows the limit: t above, (n,)
+    acting: Linear  # From what is left of that by the limit to what acts: the delay, or nothing
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -17,24 +17,16 @@ from trimmer.mechanism.controls.controllers import DIFFERENCE, Cascade, Controll
 INPUTS = ("y", "r", "r'", "v")
 """What is measured and given at a sample, behind the states: output, reference, its rate, and speed."""
 
-BEFORE = "y before"
-"""The state that is the output at the last sample."""
+BEFORE = "y before"  # The state that is the output at the last sample
 
 
 class Law(NamedTuple):
-    """A sampled law of s states and the inputs.
+    """A sampled law of s states and the inputs."""
 
-    Attributes:
-        states: What the states are.
-        demand: w, before the limit, (s + 4,).
-        keep: The states afterwards, if no limit is reached, (s, s + 4).
-        follow: How the states follow what acts less what was demanded, (s,).
-    """
-
-    states: tuple[str, ...]
-    demand: Reals
-    keep: Reals
-    follow: Reals
+    states: tuple[str, ...]  # What the states are
+    demand: Reals  # w, before the limit, (s + 4,)
+    keep: Reals  # The states afterwards, if no limit is reached, (s, s + 4)
+    follow: Reals  # How the states follow what acts less what was demanded, (s,)
 
 
 def _units(states: tuple[str, ...]) -> dict[str, Reals]:

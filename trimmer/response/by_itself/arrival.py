@@ -14,12 +14,9 @@ from trimmer.hybrid.work import Log
 from trimmer.motion.course import Course
 from trimmer.response.orbit import Orbit
 
-NEAR = 1e-2
-"""Distance from a stable orbit as a share of its swing at which a motion has come to it."""
-ON_IT = 1e-6
-"""Distance from one of many side by side."""
-ROUNDING = 1e-12
-"""Share of the sizes of states by which a distance may be rounding."""
+NEAR = 1e-2  # Distance from a stable orbit as a share of its swing at which a motion has come to it
+ON_IT = 1e-6  # Distance from one of many side by side
+ROUNDING = 1e-12  # Share of the sizes of states by which a distance may be rounding
 
 
 def what_happened(log: Log) -> Flags:

@@ -20,18 +20,12 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.response.rest import Rest
 
-MOST_SLIPS = 12
-"""Slips that are followed."""
-ALIKE = 1e-3
-"""By how much the shares of two of them may differ."""
-SMALLER = 0.999
-"""Largest share of an error in the one before."""
-TOLD = 1e-11
-"""Size of a slip, as a share of the displacements, below which it is none."""
-SOON = 1e-9
-"""Share of a wait that is left of it."""
-LONG = 16
-"""Periods of the slowest mode, doubled as often as need be, within which a slip ends."""
+MOST_SLIPS = 12  # Slips that are followed
+ALIKE = 1e-3  # By how much the shares of two of them may differ
+SMALLER = 0.999  # Largest share of an error in the one before
+TOLD = 1e-11  # Size of a slip, as a share of the displacements, below which it is none
+SOON = 1e-9  # Share of a wait that is left of it
+LONG = 16  # Periods of the slowest mode, doubled as often as need be, within which a slip ends
 DOUBLED = 6
 
 

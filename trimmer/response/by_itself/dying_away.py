@@ -15,12 +15,9 @@ from trimmer.motion.flow import Flow
 from trimmer.response.linear_motion import linear_motion
 from trimmer.response.rest import Rest
 
-SEGMENTS = 3
-"""Last segments of a motion that are looked at."""
-SHARES = (0.5, 0.75)
-"""Shares of their durations at which they are."""
-SLOW = 0.1
-"""Share of the swing of each state that it may move between these, where a segment may die away."""
+SEGMENTS = 3  # Last segments of a motion that are looked at
+SHARES = (0.5, 0.75)  # Shares of their durations at which they are
+SLOW = 0.1  # Share of the swing of each state that it may move between these, where a segment may die away
 
 
 def rest_dying_away(flow: Flow, course: Course) -> Rest | None:

@@ -17,14 +17,12 @@ from trimmer.response.orbit import Orbit, orbit_of
 from trimmer.response.rest import RESTING, at_rest
 from trimmer.response.shooting import CLOSED, Patience, Return, Shot, sizes_of, solve
 
-NEAR = 0.1
-"""Distance of two states as a share of their sizes at which Newton's method is tried."""
+NEAR = 0.1  # Distance of two states as a share of their sizes at which Newton's method is tried
 CLOSE = 10.0
 """Factor of the least distance up to which states count as one: what has settled comes back closest."""
 MOST_ROWS = 1500
 """Segments of all recurrences that are tried in a stretch: Newton's method follows each many times."""
-MOST_TRIED = 6
-"""Recurrences that are tried in each stretch, nearest in time first."""
+MOST_TRIED = 6  # Recurrences that are tried in each stretch, nearest in time first
 FROM_NEARBY = Patience(iterations=20, halvings=4, followed=2)
 """How long an orbit is looked for from a recurrence: a chaotic motion has many near which there is none."""
 

@@ -20,43 +20,26 @@ from trimmer.response.by_itself.arrival import what_happened
 from trimmer.response.estimate import Estimate, mean_of
 from trimmer.response.shooting import sizes_of
 
-MEASURED = 512
-"""Returns over which the growth of distances is measured."""
-TOGETHER = 4
-"""Returns between two measurements."""
-TURNING = 16
-"""Measurements after which a distance points in the direction that grows most."""
-LEAST = 64
-"""Returns with which it is measured at all."""
-ERRORS = 3.0
-"""Standard errors by which the exponent of chaos is positive."""
-GROWN = 1e3
-"""Growth of a distance, at least, in chaos."""
-SMALLEST = 1e-16
-"""Growth of a distance below which it counts as lost."""
-APART = 1e-9
-"""Distance of the neighbour at first, as a share of the sizes of the states."""
-SEED = 3
-"""Of the direction of distances."""
-SLOWER = 1.5
-"""Factor by which each return takes longer than that before where a motion slows down."""
-SLOWER_RETURNS = 3
-"""Returns, at least, by which it is told that it does."""
+MEASURED = 512  # Returns over which the growth of distances is measured
+TOGETHER = 4  # Returns between two measurements
+TURNING = 16  # Measurements after which a distance points in the direction that grows most
+LEAST = 64  # Returns with which it is measured at all
+ERRORS = 3.0  # Standard errors by which the exponent of chaos is positive
+GROWN = 1e3  # Growth of a distance, at least, in chaos
+SMALLEST = 1e-16  # Growth of a distance below which it counts as lost
+APART = 1e-9  # Distance of the neighbour at first, as a share of the sizes of the states
+SEED = 3  # Of the direction of distances
+SLOWER = 1.5  # Factor by which each return takes longer than that before where a motion slows down
+SLOWER_RETURNS = 3  # Returns, at least, by which it is told that it does
 
 
 @dataclass(frozen=True, eq=False)
 class Returns:
-    """The returns of a motion to its most frequent event.
+    """The returns of a motion to its most frequent event."""
 
-    Attributes:
-        flow: What moves.
-        course: The motion.
-        rows: Rows of the log at which the event happened, (count + 1,).
-    """
-
-    flow: Flow
-    course: Course
-    rows: Integers
+    flow: Flow  # What moves
+    course: Course  # The motion
+    rows: Integers  # Rows of the log at which the event happened, (count + 1,)
 
     @classmethod
     def of(cls, flow: Flow, course: Course) -> Returns:

@@ -29,35 +29,23 @@ STRETCHES = (20, 80, 320, 1280)
 """Lengths of the motion that is searched for a recurrence, in periods of the slowest mode."""
 FURTHER = (5120, 20480)
 """Those that follow where little has happened until then, if no number of periods is given."""
-LITTLE = 2000
-"""Events that are little for so long a time."""
+LITTLE = 2000  # Events that are little for so long a time
 CLOSELY = 1e-7
 """Distance of two states as a share of their sizes at which a recurrence comes before chaos is asked for."""
-SURELY = 1000
-"""Returns of one stretch from which chaos is told; else it is to be seen in two stretches."""
+SURELY = 1000  # Returns of one stretch from which chaos is told; else it is to be seen in two stretches
 
 
 @dataclass(frozen=True, eq=False)
 class SelfExcited:
-    """What a motion without a drive comes to; nothing where it was not seen.
+    """What a motion without a drive comes to; nothing where it was not seen."""
 
-    Attributes:
-        waited: How long it was followed, s.
-        orbit: The orbit that it settles to.
-        rest: Where it rests.
-        solved: What it comes to, if no event comes any more.
-        passed: An unstable orbit that it passes.
-        unit: Period of the slowest mode, s, in which ``most_periods`` counts.
-        returns: The last stretch that was followed, where nothing repeats.
-    """
-
-    waited: float
-    orbit: Orbit | None = None
-    rest: Rest | None = None
-    solved: Solved | None = None
-    passed: Orbit | None = None
-    unit: float = 0.0
-    returns: Returns | None = None
+    waited: float  # How long it was followed, s
+    orbit: Orbit | None = None  # The orbit that it settles to
+    rest: Rest | None = None  # Where it rests
+    solved: Solved | None = None  # What it comes to, if no event comes any more
+    passed: Orbit | None = None  # An unstable orbit that it passes
+    unit: float = 0.0  # Period of the slowest mode, s, in which ``most_periods`` counts
+    returns: Returns | None = None  # The last stretch that was followed, where nothing repeats
 
     @property
     def cut_short(self) -> bool:
