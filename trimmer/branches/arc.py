@@ -1,7 +1,5 @@
 """A short piece of a branch, on which orbits are found by how far they are along a direction."""
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Multi-harmonic balance beside an exact orbit, and how far it is from it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

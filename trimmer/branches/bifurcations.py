@@ -3,8 +3,6 @@
 Each has a test function that changes its sign there and is smooth in between, so it is found like any root.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Callable, Sequence

@@ -1,7 +1,5 @@
 """Where the phases of the motion change along a branch: grazing, and the birth and death of stick."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

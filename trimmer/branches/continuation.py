@@ -1,7 +1,5 @@
 """Pseudo-arc-length continuation of periodic orbits over one number."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field

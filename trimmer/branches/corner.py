@@ -1,7 +1,5 @@
 """Turning where a branch has a corner: at the birth or death of a phase the tangent jumps, even backwards."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Reals

@@ -5,8 +5,6 @@ may grow like the inverse of the distance to it, T = a + c / (p - p₀); near an
 meets, like its logarithm, p = p₀ + A exp(-λ T) (Guckenheimer and Holmes 1983, section 6.1).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Following the exact periodic motions of a mechanism or a loop over any of its numbers."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

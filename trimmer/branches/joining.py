@@ -4,8 +4,6 @@ The doubled orbits turn around there, and their map is singular. The map of a si
 multiplier that passes -1, which is located on the branch of its own orbits.
 """
 
-from __future__ import annotations
-
 import numpy as np
 import scipy.optimize
 

@@ -1,7 +1,5 @@
 """What is known of other branches while one is followed, so that none is followed twice."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 import numpy as np

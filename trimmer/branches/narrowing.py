@@ -5,8 +5,6 @@ stick like the root or the distance itself. So the distance is a smooth function
 that is zero is found in a few steps; halving the piece is left for where it is not.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 

@@ -1,7 +1,5 @@
 """Outputs of a periodic motion: peak to peak and harmonics of the drive."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """How a branch is followed."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from trimmer.arguments import finite_number, positive_number, whole_number

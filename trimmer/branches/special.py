@@ -1,7 +1,5 @@
 """Special points of a branch."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from trimmer.arrays import Reals

@@ -1,7 +1,5 @@
 """Stepping along a branch: how long each step is, and why no further one is made."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 

@@ -1,7 +1,5 @@
 """Switching to a branch that parts from another at a period doubling or where symmetry is lost."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Reals

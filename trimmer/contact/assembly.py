@@ -1,7 +1,5 @@
 """The flow of a mode, the event functions that end it, and what it holds, from the statuses of all parts."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple

@@ -5,8 +5,6 @@ The relative accelerations follow from a linear complementarity problem,
 resists with the latter once it breaks away; then all are decided again.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Places, Reals

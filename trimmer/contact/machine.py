@@ -1,7 +1,5 @@
 """The arrays of a mechanism: what its exact motion is computed from."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 

@@ -1,7 +1,5 @@
 """What forces the states by times: profiles of forces, and references that step, ramp or follow points."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What is refused of a start: ends that are farther apart than a rigid wall lets them be."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Reals

@@ -1,7 +1,5 @@
 """Statuses of contacts and frictions, and what an event function that falls to zero means."""
 
-from __future__ import annotations
-
 from trimmer.hybrid.system import OWN_ACTIONS, OWN_KINDS
 
 FREE, RELAXING, PLUS, MINUS, RELEASED_PLUS, RELEASED_MINUS, ALWAYS = range(7)

@@ -1,7 +1,5 @@
 """A mechanism as the core asks for it: its modes, what follows its events, and what frictions at rest do."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -5,8 +5,6 @@ makes the rate -e v. At rest it is a hold as stick is, with a force that is boun
 ``trimmer.contact.joint``. Several walls that are reached at one instant act one after the other.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 

@@ -5,8 +5,6 @@ begins: there the event changes from the end of one passage to the beginning of 
 changes with it, though the motion and its multipliers do not. What is solved for has an instant of its own.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Reals

@@ -38,8 +38,6 @@ References:
     Problems, Prentice-Hall 1974.
 """
 
-from __future__ import annotations
-
 from itertools import combinations
 
 import numpy as np

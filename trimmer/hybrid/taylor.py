@@ -1,7 +1,5 @@
 """Polynomials over one step: their degree, what the step follows from, and their Bernstein form."""
 
-from __future__ import annotations
-
 import math
 from functools import cache
 

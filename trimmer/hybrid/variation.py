@@ -6,8 +6,6 @@ Gantmakher 1958; Leine and Nijmeijer 2004, chapter 7). Where stick or contact ta
 matrix is singular.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any

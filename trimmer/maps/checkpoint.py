@@ -7,8 +7,6 @@ line of a cell has ``number``, its place in the map row by row, and ``motions``.
 which cells were done.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from itertools import chain
 from pathlib import Path

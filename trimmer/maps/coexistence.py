@@ -4,8 +4,6 @@ A branch that no start of the map leads to in one cell may be reached in the nex
 from cell to cell, until no cell beside has a motion that is new.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """What a map is made from: a mechanism, the places that are varied, their values, and how long to look."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections.abc import Mapping

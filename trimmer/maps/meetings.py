@@ -1,7 +1,5 @@
 """Where curves over a map meet: where they cross with one orbit, or one ends on another."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 

@@ -1,7 +1,5 @@
 """One plateau of a sweep: some drive periods at one value, of which the second half is measured."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 

@@ -1,7 +1,5 @@
 """Curves over a map, on which folds, period doublings, grazings and their like lie."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass

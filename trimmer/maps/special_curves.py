@@ -4,8 +4,6 @@ Branches over the first number are followed at a few values of the second, and e
 followed from there over both.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The pieces of work from which curves over a map are made; each can be done by another process."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeVar, cast

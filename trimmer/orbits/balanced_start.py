@@ -1,7 +1,5 @@
 """Starts of the search for an orbit from harmonic balance with several harmonics."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import groupby

@@ -1,7 +1,5 @@
 """The orbit of a loop from a state that returns, exactly or as its mirror image after half a period."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """When two orbits are one, and the shortest return of an orbit."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Orbits that are members of a continuum: one stands for all of them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """The exact periodic motion of a driven loop."""
 
-from __future__ import annotations
-
 from typing import cast
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The start of the search for an orbit from a prediction of harmonic balance, on its first harmonic."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

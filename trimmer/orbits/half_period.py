@@ -10,8 +10,6 @@ matrix (Trefethen, Approximation Theory and Approximation Practice, 2013, chapte
 too near a pole, as at odd multiples of half a period of an undamped mode, are given back as undecided.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from enum import Enum

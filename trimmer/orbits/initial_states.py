@@ -1,7 +1,5 @@
 """Initial states from which long simulations look for stable orbits."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 

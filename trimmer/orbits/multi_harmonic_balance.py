@@ -1,7 +1,5 @@
 """Harmonic balance with several harmonics, which leads from the describing function to the exact orbit."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass

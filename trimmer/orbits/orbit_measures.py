@@ -1,7 +1,5 @@
 """The impacts of a periodic motion of a loop, with the speeds at which pin and load meet."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import final

@@ -1,7 +1,5 @@
 """An exact periodic motion of a switched loop: period, amplitude, harmonics, stability."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import Any, cast

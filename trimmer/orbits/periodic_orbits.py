@@ -1,7 +1,5 @@
 """The search for exact limit cycles of a closed loop, from predictions of harmonic balance."""
 
-from __future__ import annotations
-
 import math
 import warnings
 from collections.abc import Iterable, Sequence

@@ -5,8 +5,6 @@ states of slow and fast modes, the small is lost in the rounding of the large, a
 orbit is looked for in the states of the modes, and told in those that were given.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """Orbits of a relay with two switches in a period, on an interval of periods: all that are symmetric."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Reals

@@ -1,7 +1,5 @@
 """What is searched for periodic orbits, what was, and the orbits themselves."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

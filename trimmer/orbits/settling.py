@@ -1,7 +1,5 @@
 """Orbits that long motions settle on."""
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from contextlib import suppress

@@ -7,8 +7,6 @@ to be zeros of the relay's switching function. Their common zeros are looked for
 which both change their signs, so that one may be missed between its points.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The lines of a motion on a torus: sums of multiples of the drive and of a frequency of its own."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 
 MOST_OWN = 6  # Multiple of the motion's own frequency up to which a line is named

@@ -9,8 +9,6 @@ unstable together (di Bernardo, Budd, Champneys and Kowalczyk, Piecewise-smooth 
 The motion itself is asked (``trimmer.sides``): it is followed from a little to each side.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

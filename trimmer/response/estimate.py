@@ -1,7 +1,5 @@
 """Means of correlated series with their uncertainty."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A simulated motion of a mechanism: events, exact signals at any time, forces, energy balance."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Floquet multipliers of a return, and by how much rounding may have moved each."""
 
-from __future__ import annotations
-
 import numpy as np
 import scipy.linalg
 from scipy.linalg import lapack

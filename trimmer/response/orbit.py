@@ -1,7 +1,5 @@
 """An exact periodic motion, stable or not."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import cast

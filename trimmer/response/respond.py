@@ -1,7 +1,5 @@
 """``respond``: what a mechanism settles to, from rest, a given state, or several starts."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace

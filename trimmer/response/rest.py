@@ -1,7 +1,5 @@
 """A mechanism or loop at rest: where all stands still, and what each part bears there."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace

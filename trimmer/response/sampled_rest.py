@@ -4,8 +4,6 @@ Between samples a motion is linear, and so is what samples make of it, as long a
 comes to rest is solved for from one period and its derivative, and not waited for.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Reals

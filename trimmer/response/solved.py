@@ -1,7 +1,5 @@
 """What a motion that meets no event any more comes to: solved for, and not waited for."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Where a motion begins: at rest, with given displacements and velocities, or at a known instant."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any, TypeAlias
 

@@ -1,7 +1,5 @@
 """``step_response``: how a controlled mechanism follows a step of its reference, and what it settles to."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -1,7 +1,5 @@
 """A machine that switches: followed from its start until all of it rests, through what its profiles do."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -3,8 +3,6 @@
 Without a drive the mean time of a return stands for its period; rates are per s then.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property

@@ -4,8 +4,6 @@ A series drives a point in the plane, which stays in bounds if the series is qua
 like a random walk if it is chaotic (Gottwald and Melbourne, SIAM J. Appl. Dyn. Syst. 8, 2009).
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Reals

@@ -1,7 +1,5 @@
 """Following a special point of a branch over two numbers of a mechanism."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

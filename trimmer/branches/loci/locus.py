@@ -1,7 +1,5 @@
 """The locus of a special point over two numbers of a mechanism."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from trimmer.arguments import finite_number, positive_number, whole_number

@@ -1,7 +1,5 @@
 """Finding a special point again near where it was, after another number of the mechanism has changed."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 

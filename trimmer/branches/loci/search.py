@@ -1,7 +1,5 @@
 """What is followed over two numbers, and finding it again where one of them is held."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, replace
 
 import numpy as np

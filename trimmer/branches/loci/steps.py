@@ -4,8 +4,6 @@ A point is predicted by the parabola through the last three. Then the number tha
 the point is found again on a short piece of branch over the other; so a locus may turn in either number.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """The map whose orbits a driven motion can join and leave: of half its period, mirrored, or doubled."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Where sampled controllers keep what they hold: their states, what is on its way, and what acts."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from typing import NamedTuple

@@ -8,8 +8,6 @@ With x the states of a controller, e the error, v the speed, r' the rate of the 
 A Padé approximant of the delay has states of its own: p' = A p + b sat(w), and c p + d sat(w) acts.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

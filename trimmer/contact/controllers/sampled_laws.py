@@ -4,8 +4,6 @@ With e = r - y and T the sample, as ``docs/mechanism.md`` has them: the integral
 the backward rule, a transfer function by Tustin's (Åström and Wittenmark, Computer-Controlled Systems, 8).
 """
 
-from __future__ import annotations
-
 from functools import singledispatch
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@ Newton's method may find another orbit than that which the motion goes to, or an
 orbits side by side. So the last events of the motion are held against those of the orbit.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Flags, Reals

@@ -6,8 +6,6 @@ and each slip makes that error the same multiple of what it was. The wait before
 but is known: in stick the states of a controller go on evenly. The limit is where they stand still.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -6,8 +6,6 @@ last segment while it is still large: if what ends its mode falls along the slow
 smaller, it never ends.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.motion.course import Course

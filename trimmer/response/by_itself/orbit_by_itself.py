@@ -1,7 +1,5 @@
 """The orbit of what moves without a drive: from a start, or from the search of a loop."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -4,8 +4,6 @@ From such a recurrence Newton's method solves for state and period. The orbit be
 segment, where nothing happens.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from trimmer.arrays import Reals

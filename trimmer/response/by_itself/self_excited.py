@@ -1,7 +1,5 @@
 """What a mechanism that moves by itself comes to: it is followed, ever longer, until that is known."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 

@@ -1,7 +1,5 @@
 """What is known of a motion without a drive that repeats nothing: chaos or undecided, and how far it goes."""
 
-from __future__ import annotations
-
 from trimmer.hybrid.advance import Ending
 from trimmer.motion.flow import Flow
 from trimmer.response.by_itself.returns import Returns
