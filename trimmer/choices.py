@@ -8,10 +8,7 @@ from typing import Self
 from trimmer.errors import TrimmerError
 from trimmer.messages import listed, near_match
 
-__all__ = [
-    "Choice",
-    "ChoiceError",
-]
+__all__ = ["Choice", "ChoiceError"]
 
 
 class ChoiceError(TrimmerError, ValueError):

@@ -14,10 +14,7 @@ from typing import BinaryIO
 from trimmer.arguments import file_path, require_instance, truth_value
 from trimmer.errors import TrimmerError
 
-__all__ = [
-    "FileWriteError",
-    "write_atomically",
-]
+__all__ = ["FileWriteError", "write_atomically"]
 
 STANDARD_INPUT = Path("-")  # Stands for standard input where a file is read
 

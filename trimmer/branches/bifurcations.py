@@ -21,12 +21,7 @@ JUMPING = 1e-3  # Share of its values at the ends that a test function has where
 TOUCHING = 0.3
 """Depth of the lowest point of a test function, relative to its ends, below which it may touch zero."""
 
-TESTED = (
-    SpecialKind.FOLD,
-    SpecialKind.PERIOD_DOUBLING,
-    SpecialKind.SYMMETRY_BREAKING,
-    SpecialKind.TORUS,
-)
+TESTED = (SpecialKind.FOLD, SpecialKind.PERIOD_DOUBLING, SpecialKind.SYMMETRY_BREAKING, SpecialKind.TORUS)
 """Kinds of bifurcations of which each has a test function."""
 
 

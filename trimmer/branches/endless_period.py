@@ -88,11 +88,7 @@ def _of_inverse(values: Reals, periods: Reals) -> Reals:
     chosen = np.unique([int(np.argmin(abs(periods - each))) for each in wanted])
     inverse, there = 1.0 / periods[chosen], values[chosen]
     return np.array(
-        [
-            _at_zero(inverse, there),
-            _at_zero(inverse[1:], there[1:]),
-            _at_zero(inverse[:-1], there[:-1]),
-        ]
+        [_at_zero(inverse, there), _at_zero(inverse[1:], there[1:]), _at_zero(inverse[:-1], there[:-1])]
     )
 
 

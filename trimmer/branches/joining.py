@@ -89,13 +89,7 @@ def _located(arc: Arc, place: Place) -> Place:
 
     begin = arc.distance(place)
     _, result = scipy.optimize.newton(
-        test,
-        begin,
-        x1=begin + BEGINNING,
-        tol=EXACT,
-        maxiter=MOST_ITERATIONS,
-        full_output=True,
-        disp=False,
+        test, begin, x1=begin + BEGINNING, tol=EXACT, maxiter=MOST_ITERATIONS, full_output=True, disp=False
     )
     if not result.converged:
         raise LostError

@@ -85,9 +85,7 @@ def _with_defaults(arguments: Namespace, module: Path, latex: Path) -> Namespace
     chosen = {"module": arguments.module or module, "latex": arguments.latex or latex}
     complete = Namespace(**{**vars(arguments), **chosen})
     check_targets(
-        complete,
-        {"module": {"": MODULE}, "latex": {"": LATEX}},
-        {"file": "the file of the mechanism"},
+        complete, {"module": {"": MODULE}, "latex": {"": LATEX}}, {"file": "the file of the mechanism"}
     )
     return complete
 
@@ -113,9 +111,6 @@ COMMAND = Command(
             "trimmer derive examples/two-mass-stop.toml --module - --latex two-mass.tex --quiet",
             "the same, the Python on standard output",
         ),
-        Example(
-            "trimmer derive",
-            "the thesis's trimmer and its describing functions, derived again",
-        ),
+        Example("trimmer derive", "the thesis's trimmer and its describing functions, derived again"),
     ),
 )

@@ -35,10 +35,7 @@ COMMAND = Command(
     _configure,
     _run,
     examples=(
-        Example(
-            "trimmer parameters",
-            "what the parameters of the thesis's trimmer are",
-        ),
+        Example("trimmer parameters", "what the parameters of the thesis's trimmer are"),
         Example(
             "trimmer parameters --output mine.toml",
             "the same in a file: change the numbers, then `trimmer linear --parameters mine.toml`",

@@ -5,14 +5,7 @@ import math
 import os
 import re
 import sys
-from argparse import (
-    Action,
-    ArgumentError,
-    ArgumentParser,
-    ArgumentTypeError,
-    Namespace,
-    _SubParsersAction,
-)
+from argparse import Action, ArgumentError, ArgumentParser, ArgumentTypeError, Namespace, _SubParsersAction
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from typing import Any, NoReturn, TextIO

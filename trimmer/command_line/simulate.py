@@ -22,12 +22,7 @@ from trimmer.command_line.parser import (
     tell,
 )
 from trimmer.command_line.patience import patience
-from trimmer.command_line.system_options import (
-    SOURCES,
-    add_start_options,
-    add_system_options,
-    chosen_system,
-)
+from trimmer.command_line.system_options import SOURCES, add_start_options, add_system_options, chosen_system
 from trimmer.errors import TrimmerError
 from trimmer.files import CSV, WAV
 from trimmer.messages import near_or_all

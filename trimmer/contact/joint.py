@@ -60,11 +60,7 @@ def after_event(
 
 
 def decide(
-    machine: Machine,
-    statuses: tuple[int, ...],
-    state: Reals,
-    at_rest: Places,
-    broken: Places | None = None,
+    machine: Machine, statuses: tuple[int, ...], state: Reals, at_rest: Places, broken: Places | None = None
 ) -> tuple[int, ...]:
     """Return the statuses of all parts once the frictions at rest have stuck or begun to slide.
 

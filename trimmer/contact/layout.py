@@ -22,14 +22,7 @@ from trimmer.contact.profiles import SOON, Profile
 from trimmer.contact.references import profile_of, references_in
 from trimmer.mechanism.controls.references import RampReference, SineReference, StepReference
 from trimmer.mechanism.coordinates import Inertia, inertia_of, radius_of, shaken_ends, weights_of_ends
-from trimmer.mechanism.drives import (
-    Drives,
-    drive_frequency,
-    drives_of,
-    sines_in,
-    waves_in,
-    waves_of_sine,
-)
+from trimmer.mechanism.drives import Drives, drive_frequency, drives_of, sines_in, waves_in, waves_of_sine
 from trimmer.mechanism.kinds import Kind, kind_of_part
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import ContactLaw, Force, Pin, Play, Stop

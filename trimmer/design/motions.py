@@ -116,11 +116,7 @@ def motions_from_starts(
     steps = followers(mechanism)  # which begin as the file says
     starts = settings.starts if mechanism.frequency is not None and not steps else 1
     response = respond(
-        mechanism,
-        starts=starts,
-        seed=settings.seed,
-        most_periods=settings.most_periods,
-        deadline=deadline,
+        mechanism, starts=starts, seed=settings.seed, most_periods=settings.most_periods, deadline=deadline
     )
     starts = response.starts
     if steps:

@@ -104,12 +104,7 @@ class PathSide:
         return next((each.kind for each in self.special if each.kind in LOSING and each.value == reach), None)
 
 
-LOSING = (
-    SpecialKind.FOLD,
-    SpecialKind.PERIOD_DOUBLING,
-    SpecialKind.TORUS,
-    SpecialKind.SYMMETRY_BREAKING,
-)
+LOSING = (SpecialKind.FOLD, SpecialKind.PERIOD_DOUBLING, SpecialKind.TORUS, SpecialKind.SYMMETRY_BREAKING)
 """Special points at which an orbit may lose its stability."""
 
 

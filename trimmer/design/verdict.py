@@ -86,10 +86,7 @@ class DesignVerdict:
 
 
 def verdict_on(
-    targets: tuple[Target, ...],
-    motions: Motions,
-    study: RangeStudy | None,
-    around: Around | None = None,
+    targets: tuple[Target, ...], motions: Motions, study: RangeStudy | None, around: Around | None = None
 ) -> DesignVerdict:
     """Judge the targets by the motions, by what was seen over ranges, and around the point."""
     first = motions.first

@@ -118,10 +118,7 @@ def harmonic_by_quadrature(
         if not halved.any():
             break
         middle = 0.5 * (begin + end)[halved]
-        begin, end = (
-            np.concatenate([begin[halved], middle]),
-            np.concatenate([middle, end[halved]]),
-        )
+        begin, end = (np.concatenate([begin[halved], middle]), np.concatenate([middle, end[halved]]))
     factor = 2.0 / (math.pi * amplitude)
     rounding = 1e-15 * math.pi * largest
     return QuadratureEstimate(

@@ -62,9 +62,7 @@ class SmallGains:
     def scaled(self, factor: float) -> SmallGains:
         """Take N times a factor that is not 0."""
         return replace(
-            self,
-            direction=self.direction if factor > 0 else -self.direction,
-            scale=self.scale * abs(factor),
+            self, direction=self.direction if factor > 0 else -self.direction, scale=self.scale * abs(factor)
         )
 
 

@@ -66,11 +66,7 @@ class Ending(Choice):
     UNDECIDED = "rounding kept dry friction at rest from being decided"
 
 
-_ENDINGS = {
-    REACHED_END: Ending.REACHED_END,
-    DIVERGED: Ending.DIVERGED,
-    STEP_LIMIT: Ending.STEP_LIMIT,
-}
+_ENDINGS = {REACHED_END: Ending.REACHED_END, DIVERGED: Ending.DIVERGED, STEP_LIMIT: Ending.STEP_LIMIT}
 
 
 @dataclass(frozen=True, eq=False)

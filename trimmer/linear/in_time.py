@@ -78,10 +78,7 @@ class SteadyState(ShownFields):
 
 
 def time_response(
-    system: control.StateSpace,
-    times: ArrayLike,
-    inputs: ArrayLike,
-    initial_state: ArrayLike | float = 0.0,
+    system: control.StateSpace, times: ArrayLike, inputs: ArrayLike, initial_state: ArrayLike | float = 0.0
 ) -> TimeResponse:
     """Compute the response to an input that is linear between its samples; for such an input it is exact.
 

@@ -8,12 +8,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, OWN_ACTIONS, EventFunction, ModeEquations
 from trimmer.loops.components.relay_component import HELD, RelayComponent
-from trimmer.loops.components.switched_component import (
-    Constrained,
-    Explicit,
-    ModeChange,
-    Signals,
-)
+from trimmer.loops.components.switched_component import Constrained, Explicit, ModeChange, Signals
 from trimmer.loops.frictions.coupled_relays import CoupledRelays, attracting
 from trimmer.loops.frictions.stick import projection
 from trimmer.loops.implicit_outputs import OpenMode, component_signals, implicit_outputs, without_rounding

@@ -39,11 +39,7 @@ def _phases(component: Component) -> dict[int, Phase]:
         case RelayComponent(rubs=True):
             return {HELD: Phase.STICK}
         case RelayComponent():
-            return {
-                relay_component.PLUS: Phase.ABOVE,
-                relay_component.MINUS: Phase.BELOW,
-                HELD: Phase.STICK,
-            }
+            return {relay_component.PLUS: Phase.ABOVE, relay_component.MINUS: Phase.BELOW, HELD: Phase.STICK}
         case ThresholdComponent():
             return {threshold_component.POSITIVE: Phase.ABOVE, threshold_component.NEGATIVE: Phase.BELOW}
         case CornerComponent():

@@ -11,15 +11,7 @@ from typing import Any
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.parts import Force, Friction, Link, Pin, Row
 from trimmer.mechanism.problems import Problem
-from trimmer.mechanism.quantities import (
-    DISPLACEMENT,
-    FORCE,
-    FORCE_LIMIT,
-    ORDER,
-    PHASE,
-    VELOCITY,
-    NumberField,
-)
+from trimmer.mechanism.quantities import DISPLACEMENT, FORCE, FORCE_LIMIT, ORDER, PHASE, VELOCITY, NumberField
 
 TIME = NumberField("s", "10 ms")
 _FEWEST = ("one row", "one point", "two points")

@@ -48,9 +48,7 @@ def problems_of_form(place: Place, entries: object) -> Iterator[Problem]:
 
 
 def output_of(
-    place: Place,
-    entries: Mapping[str, Any],
-    read: Callable[[Place, Mapping[str, Any]], Mapping[str, Any]],
+    place: Place, entries: Mapping[str, Any], read: Callable[[Place, Mapping[str, Any]], Mapping[str, Any]]
 ) -> Output:
     """Return an output of a file, whose weights are read by the place of all and their texts."""
     key = _kind_key(entries)

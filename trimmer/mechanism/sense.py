@@ -11,21 +11,8 @@ from trimmer.mechanism.controls.checks import problems_of_control, problems_of_c
 from trimmer.mechanism.kinds import kind_of_part, kinds_of, problems_of_kinds
 from trimmer.mechanism.number_rows import problems_of_order
 from trimmer.mechanism.outputs import problems_of_outputs
-from trimmer.mechanism.parts import (
-    COUPLINGS,
-    GROUND,
-    Body,
-    Contact,
-    ContactLaw,
-    Friction,
-    Link,
-)
-from trimmer.mechanism.points import (
-    ends_in,
-    problems_of_moving,
-    problems_of_points,
-    problems_of_weights,
-)
+from trimmer.mechanism.parts import COUPLINGS, GROUND, Body, Contact, ContactLaw, Friction, Link
+from trimmer.mechanism.points import ends_in, problems_of_moving, problems_of_points, problems_of_weights
 from trimmer.mechanism.problems import Problem, no_such
 from trimmer.mechanism.structures.ends import (
     coordinates_in,

@@ -28,9 +28,7 @@ class OrbitFamily:
         )
 
 
-def by_families(
-    orbits: Sequence[PeriodicOrbit],
-) -> tuple[tuple[PeriodicOrbit, ...], tuple[OrbitFamily, ...]]:
+def by_families(orbits: Sequence[PeriodicOrbit]) -> tuple[tuple[PeriodicOrbit, ...], tuple[OrbitFamily, ...]]:
     """Return orbits by falling amplitude with one for each continuum, and the continua.
 
     Two orbits are of one continuum if both have neighbours in one, and as many events in a period. One that

@@ -146,8 +146,7 @@ def _found(orbits: list[PeriodicOrbit], searched: OrbitSearched) -> PeriodicOrbi
 
 
 def _guesses(
-    loop: ClosedLoop,
-    guesses: HarmonicBalance | Sequence[LimitCycle | tuple[float, float]] | None,
+    loop: ClosedLoop, guesses: HarmonicBalance | Sequence[LimitCycle | tuple[float, float]] | None
 ) -> Sequence[LimitCycle | tuple[float, float]]:
     if guesses is None:
         return limit_cycles(loop)

@@ -96,10 +96,7 @@ class LinearMotion:
         """The instant without what decays: where the motion would be that this one settles to."""
         state = self.mean + self.waves.sum(axis=0).real + self.parts[self.lasting].sum(axis=0).real
         like = self.instant
-        quiet = replace(
-            like,
-            zeros=np.zeros_like(like.zeros),
-        )
+        quiet = replace(like, zeros=np.zeros_like(like.zeros))
         return self.flow.at(state, like.phase, like=quiet)
 
     @property

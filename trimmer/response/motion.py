@@ -63,11 +63,7 @@ KINDS_OF_WALLS = {
     system.HOLD_ENDED: MechanismEventKind.REST_ENDED,
 }
 
-MEETINGS = (
-    MechanismEventKind.CONTACT_MADE,
-    MechanismEventKind.IMPACT,
-    MechanismEventKind.CHATTER_COMPLETED,
-)
+MEETINGS = (MechanismEventKind.CONTACT_MADE, MechanismEventKind.IMPACT, MechanismEventKind.CHATTER_COMPLETED)
 """Events at which the sides of a contact meet."""
 
 

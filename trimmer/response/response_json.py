@@ -119,10 +119,7 @@ def _output(motion: SettledMotion, name: str) -> dict[str, Any]:
 
 
 def _body(acceleration: Estimate) -> dict[str, Any]:
-    return {
-        "rms_acceleration": acceleration.value,
-        "rms_acceleration_interval": list(acceleration.interval),
-    }
+    return {"rms_acceleration": acceleration.value, "rms_acceleration_interval": list(acceleration.interval)}
 
 
 def _contact(contact: ContactMeasures, repeating: Measures | None) -> dict[str, Any]:

@@ -143,9 +143,7 @@ class Return:
         if not self.mirrored:
             return end
         return replace(
-            end,
-            state=self.flow.mirrored_states * end.state,
-            statuses=mirrored(self.flow.parts, end.statuses),
+            end, state=self.flow.mirrored_states * end.state, statuses=mirrored(self.flow.parts, end.statuses)
         )
 
     def step(self, shot: Shot) -> tuple[Reals, float]:

@@ -104,9 +104,7 @@ class StepResponse(Tabular):
         output, control = self.units
         times = attributes(rise_time="s", overshoot="%", settling_time="s", final_error=output)
         return Table(
-            "Step",
-            [self.measures],
-            (*times, *attributes(largest_control=control, largest_demand=control)),
+            "Step", [self.measures], (*times, *attributes(largest_control=control, largest_demand=control))
         )
 
 

@@ -155,11 +155,7 @@ def _line(bins: Bins, fit: LineFit, part: Places, found: Sequence[SpectralLine])
     weights = np.minimum(amplitudes / abs(seen.amplitude), 1.0)[real]
     reach = float((weights * abs(fit.places[part][real] - seen.place)).max(initial=0.0))
     larger = float(amplitudes[real].max(initial=0.0)) - abs(seen.amplitude)
-    return replace(
-        wide,
-        spread=max(wide.spread, reach),
-        amplitude_spread=max(wide.amplitude_spread, larger),
-    )
+    return replace(wide, spread=max(wide.spread, reach), amplitude_spread=max(wide.amplitude_spread, larger))
 
 
 def _unexplained(bins: Bins, found: Sequence[SpectralLine]) -> list[SpectralLine]:
@@ -199,7 +195,5 @@ def _widened(line: SpectralLine, other: LineFit) -> SpectralLine:
     off = float(other.places[nearest]) - line.place
     larger = float(abs(other.amplitudes[nearest])) - abs(line.amplitude)
     return replace(
-        line,
-        spread=math.hypot(line.spread, off),
-        amplitude_spread=math.hypot(line.amplitude_spread, larger),
+        line, spread=math.hypot(line.spread, off), amplitude_spread=math.hypot(line.amplitude_spread, larger)
     )

@@ -24,9 +24,7 @@ MAINS_TOLERANCE = 0.001  # How far the mains may be off, relative: 50 mHz of 50 
 
 
 def with_own_lines(
-    analysis: SpectrumAnalysis,
-    own_frequency: float | None = None,
-    mains_frequencies: Sequence[float] = MAINS,
+    analysis: SpectrumAnalysis, own_frequency: float | None = None, mains_frequencies: Sequence[float] = MAINS
 ) -> SpectrumAnalysis:
     """Return an analysis whose peaks may also be multiples of the motion's own frequency, or hum.
 

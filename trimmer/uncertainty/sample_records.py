@@ -133,10 +133,7 @@ def _trial(said: _Kept, inputs: SampleInputs, asked: tuple[MeasureOfPart, ...]) 
         raise DataError(f"measures has {len(said.measures)} entries, not {len(asked)}")
     values = tuple(inputs.values[said.number].tolist())
     trial = Trial(
-        values,
-        said.kind,
-        said.period_count,
-        tuple(zip(asked, map(_from_json, said.measures), strict=True)),
+        values, said.kind, said.period_count, tuple(zip(asked, map(_from_json, said.measures), strict=True))
     )
     problem = _problem(trial)
     if problem:

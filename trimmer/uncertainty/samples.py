@@ -195,11 +195,7 @@ def sample_mechanism(file: SampleFile, settings: SampleSettings | None = None, *
 
 
 def trials_of(
-    inputs: SampleInputs,
-    runner: Runner | None = None,
-    keeping: Keeping = NOWHERE,
-    *,
-    quiet: bool = False,
+    inputs: SampleInputs, runner: Runner | None = None, keeping: Keeping = NOWHERE, *, quiet: bool = False
 ) -> tuple[Trial, ...]:
     """Return what each possible sample does, in the order of the samples."""
     asked = all_measures(inputs.subject)

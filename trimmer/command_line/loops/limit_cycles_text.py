@@ -48,11 +48,7 @@ def as_json(loop: ClosedLoop | MeasuredLoop, balance: HarmonicBalance) -> str:
             {
                 **_cycle(cycle),
                 "harmonic_leakage": dict(
-                    zip(
-                        map(str, HARMONICS),
-                        harmonic_leakage(loop.system, loop.element, cycle),
-                        strict=True,
-                    )
+                    zip(map(str, HARMONICS), harmonic_leakage(loop.system, loop.element, cycle), strict=True)
                 ),
                 **({"bound": vars(balance.bounds[place])} if balance.bounds else {}),
             }

@@ -38,11 +38,7 @@ def as_text(summary: LinearSummary) -> str:
         ),
         _table("Poles and zeros, rad/s", ("poles", "zeros"), _root_rows(summary)),
         _table("Gain", ("quantity", "value"), _gain_rows(summary)),
-        _table(
-            "Extrema of |G|",
-            ("kind", "rad/s", "Hz", "|G|", "dB"),
-            _extremum_rows(summary),
-        ),
+        _table("Extrema of |G|", ("kind", "rad/s", "Hz", "|G|", "dB"), _extremum_rows(summary)),
         _table(
             "Crossings of the real axis",
             ("rad/s", "Hz", "G"),

@@ -95,10 +95,7 @@ _MEANINGS = {
     "time_constant": ("S", "M/D of the load, s (viscous)"),
     "force": ("N", "Coulomb friction, or level of the relay or preload, N (coulomb, relay, preload)"),
     "threshold": ("M", "input at the corner, m (saturation, dead-zone)"),
-    "slope": (
-        "RATIO",
-        "output over input on the inclined part (saturation, dead-zone, preload; default: 1)",
-    ),
+    "slope": ("RATIO", "output over input on the inclined part (saturation, dead-zone, preload; default: 1)"),
     "hysteresis": ("M", "half the width of the loop, m (relay; default: 0)"),
     "dead_zone": ("M", "half the width without output, m (relay; default: 0)"),
 }

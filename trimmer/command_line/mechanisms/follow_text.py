@@ -61,10 +61,7 @@ def _many(branch: FollowedBranch) -> str:
 def _heads(branch: FollowedBranch) -> list[str]:
     """Return the headings of the ranges: of the period, unless a drive gives it, and of each output."""
     own = ["period, s"] if branch.finds_period else []
-    return [
-        *own,
-        *(with_unit(f"{name}, peak to peak", unit) for name, unit in branch.units.items()),
-    ]
+    return [*own, *(with_unit(f"{name}, peak to peak", unit) for name, unit in branch.units.items())]
 
 
 def _units(branch: FollowedBranch, measures: Sequence[str]) -> list[str]:

@@ -24,10 +24,7 @@ _MOST_ROWS = 200  # Values of the only number up to which there is a table over 
 
 
 def as_text(
-    result: MotionMap,
-    searched: str,
-    special: SpecialCurves | None,
-    targets: Mapping[str, float | None],
+    result: MotionMap, searched: str, special: SpecialCurves | None, targets: Mapping[str, float | None]
 ) -> str:
     """Return what is where in how many cells, ranges of measures, what was searched; a line has a table."""
     subject, cells = result.inputs.subject, len(result.cells)

@@ -120,10 +120,7 @@ def _check(arguments: Namespace) -> None:
 
 
 def _map(
-    arguments: Namespace,
-    system: Mechanism | TrimmerLoop,
-    values: dict[str, list[float]],
-    measures: list[str],
+    arguments: Namespace, system: Mechanism | TrimmerLoop, values: dict[str, list[float]], measures: list[str]
 ) -> tuple[MotionMap, str]:
     """Return the map, and what was searched, in a sentence."""
     from trimmer.maps.coexistence import coexisting_motions

@@ -52,11 +52,7 @@ def _run(arguments: Namespace) -> int:
     state = chosen_start(arguments, system)
     with patience():
         response = respond(
-            system,
-            state=state,
-            starts=arguments.starts,
-            most_periods=arguments.periods,
-            seed=arguments.seed,
+            system, state=state, starts=arguments.starts, most_periods=arguments.periods, seed=arguments.seed
         )
     picture = _draw(arguments, response)
     show(as_json(response) if arguments.json else as_text(response), picture)

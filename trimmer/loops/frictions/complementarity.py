@@ -102,12 +102,7 @@ def _at_rest(
 
 
 def _distribute(
-    at_rest: _AtRest,
-    held: Places,
-    drift: Reals,
-    bounds: tuple[Reals, Reals],
-    noise: Reals,
-    chosen: list[int],
+    at_rest: _AtRest, held: Places, drift: Reals, bounds: tuple[Reals, Reals], noise: Reals, chosen: list[int]
 ) -> Places:
     """Choose the modes of what is held by the sign with which each leaves zero; return what stays held."""
     influence = at_rest.influence[np.ix_(held, held)]
