@@ -12,9 +12,7 @@ from trimmer.mechanism.parts import OutputKind
 
 if TYPE_CHECKING:
     from trimmer.contact.layout import Rows
-    from trimmer.mechanism.controls.controllers import Controller
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.mechanism.parts import Output
+    from trimmer.mechanism import Controller, Mechanism, Output
 
 
 def control_arrays(mechanism: Mechanism, rows: Rows, base: Reals) -> dict[str, Any]:

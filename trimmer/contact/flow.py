@@ -53,10 +53,9 @@ from trimmer.hybrid.affine_modes import Change, is_straight
 from trimmer.hybrid.system import ARRIVED, NO_STATE, STRUCK, ModeEquations, System
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
-from trimmer.mechanism.controls.references import SineReference
+from trimmer.mechanism import Mechanism, SineReference
 from trimmer.mechanism.coordinates import inertia_of
 from trimmer.mechanism.kinds import Kind
-from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import COUPLINGS
 from trimmer.mechanism.structures.ends import modes_in
 from trimmer.mechanism.waves import mean_of

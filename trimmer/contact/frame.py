@@ -19,11 +19,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.mechanism.controls.references import RampReference
+from trimmer.mechanism import ContactLaw, Link, Mechanism, OutputKind, Play, RampReference, Stop, Wall
 from trimmer.mechanism.coordinates import rows_of_structures, weights_of_ends
 from trimmer.mechanism.elimination import solutions
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import ContactLaw, Link, OutputKind, Play, Stop, Wall
 
 SAME = 1e-12  # Difference of two velocities, as a share of the largest one, that is taken for rounding
 

@@ -12,9 +12,8 @@ from trimmer.contact.frame import Frame
 from trimmer.contact.layout import Layout, Rows, layout_of
 from trimmer.contact.statuses import FREE, PULLS, RELAXES, TRUNCATES
 from trimmer.hybrid.system import NO_STATE
+from trimmer.mechanism import GROUND, ContactLaw, Mechanism, Play, Stop
 from trimmer.mechanism.coordinates import elastic_matrices
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, ContactLaw, Play, Stop
 
 _LAWS = {ContactLaw.RELAXING: RELAXES, ContactLaw.TRUNCATED: TRUNCATES, ContactLaw.PULLING: PULLS}
 

@@ -22,8 +22,7 @@ if TYPE_CHECKING:
     from trimmer.contact.layout import Layout
     from trimmer.contact.system import MechanismSystem
     from trimmer.hybrid.tables import Modes
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.mechanism.parts import Output
+    from trimmer.mechanism import Mechanism, Output
     from trimmer.motion.course import Course
     from trimmer.motion.signals import Signal
 

@@ -11,8 +11,7 @@ from trimmer.mechanism.controls.references import ProfileReference, RampReferenc
 
 if TYPE_CHECKING:
     from trimmer.contact.frame import Frame
-    from trimmer.mechanism.controls.references import Reference
-    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.mechanism import Mechanism, Reference
 
 
 def references_in(mechanism: Mechanism) -> Iterator[Reference]:

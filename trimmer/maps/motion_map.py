@@ -17,8 +17,7 @@ from trimmer.progress import progress_bar
 from trimmer.response.by_itself.self_excited import STRETCHES
 from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.pace import pace_of
-from trimmer.runners.processes import ProcessRunner
-from trimmer.runners.runner import Runner, SerialRunner
+from trimmer.runners import ProcessRunner, Runner, SerialRunner
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

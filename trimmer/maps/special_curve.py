@@ -9,8 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.branches.loci.locus import Locus
-from trimmer.branches.special import SpecialKind, SpecialPoint
+from trimmer.branches import Locus, SpecialKind, SpecialPoint
 from trimmer.one_orbit import same_states
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted

@@ -9,16 +9,13 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from trimmer.arguments import require_instance, whole_number
-from trimmer.branches.followed import FollowedBranch
-from trimmer.branches.loci.locus import LocusEnd, LocusRanges
-from trimmer.branches.special import SpecialPoint
+from trimmer.branches import FollowedBranch, LocusEnd, LocusRanges, SpecialPoint
 from trimmer.errors import MapError
 from trimmer.maps.meetings import meetings
 from trimmer.maps.result import MotionMap
 from trimmer.maps.special_curve import SpecialCurve, SpecialCurves
 from trimmer.maps.special_work import Line, LineWork, Side, SideWork, bare, in_order
-from trimmer.runners.processes import ProcessRunner
-from trimmer.runners.runner import Runner, SerialRunner
+from trimmer.runners import ProcessRunner, Runner, SerialRunner
 
 LINES = 3
 MOST_CURVES = 8

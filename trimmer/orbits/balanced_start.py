@@ -13,14 +13,13 @@ from trimmer.balance.many_harmonics.steady_response import Flight, flight_of, st
 from trimmer.balance.many_harmonics.trigonometric import OddPolynomial
 from trimmer.elements.element import Element
 from trimmer.errors import OrbitNotFoundError
+from trimmer.loops import ClosedLoop, Feedback
 from trimmer.loops.components.backlash_component import FREE, LOWER, UPPER, BacklashComponent
 from trimmer.loops.components.corner_component import CornerComponent
 from trimmer.loops.components.of_elements import components_of
 from trimmer.loops.components.relay_component import MINUS, PLUS, RelayComponent
 from trimmer.loops.components.switched_component import Component
 from trimmer.loops.components.threshold_component import ThresholdComponent
-from trimmer.loops.feedback import Feedback
-from trimmer.loops.loops import ClosedLoop
 from trimmer.orbits.guess import Start
 from trimmer.orbits.multi_harmonic_balance import BalancedHarmonics, solutions
 

@@ -7,13 +7,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.balance.many_harmonics.pieces import mode_on
 from trimmer.balance.many_harmonics.trigonometric import OddPolynomial
-from trimmer.elements.dead_zone import DeadZone
-from trimmer.elements.element import Element
-from trimmer.elements.preload import Preload
-from trimmer.elements.relay import Relay
-from trimmer.elements.saturation import Saturation
-from trimmer.elements.scaled_element import ScaledElement
-from trimmer.elements.sum_of_elements import SumOfElements
+from trimmer.elements import DeadZone, Element, Preload, Relay, Saturation, ScaledElement, SumOfElements
 from trimmer.loops.components.backlash_component import FREE, LOWER, UPPER, BacklashComponent
 from trimmer.loops.components.corner_component import CornerComponent
 from trimmer.loops.components.relay_component import MINUS, PLUS, RelayComponent

@@ -6,13 +6,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from trimmer.arrays import Reals
+from trimmer.loops import ClosedLoop, Feedback
 from trimmer.loops.components.backlash_component import BacklashComponent
 from trimmer.loops.components.corner_component import CornerComponent
 from trimmer.loops.components.relay_component import RelayComponent
 from trimmer.loops.components.threshold_component import ThresholdComponent
-from trimmer.loops.feedback import Feedback
 from trimmer.loops.initial import segment_from
-from trimmer.loops.loops import ClosedLoop
 
 FARTHER = 3.0  # Factor by which the frequencies reach beyond the slowest and the fastest root
 DECADES = (-1.0, 2.0)

@@ -9,12 +9,11 @@ import numpy as np
 from trimmer.arrays import Complexes, Reals
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.displacement import Displacement
-from trimmer.loops.drive import Drive
+from trimmer.loops import Drive, LoopMotion, Outcome
 from trimmer.loops.flow import LoopFlow
 from trimmer.loops.integration import renumbered
 from trimmer.loops.loop_signal import LoopSignal, row_in_modes
 from trimmer.loops.loops import Loop
-from trimmer.loops.motion import LoopMotion, Outcome
 from trimmer.motion.extremes import extremes
 from trimmer.motion.fourier import fourier
 from trimmer.motion.signals import Signal, Steady, along

@@ -13,9 +13,8 @@ from trimmer.balance.loop_first import takes_any_loop
 from trimmer.balance.many_harmonics.feedback import feedback_balance
 from trimmer.balance.solve import CALLER, limit_cycles
 from trimmer.errors import OrbitNotFoundWarning, WrongTypeError
-from trimmer.loops.feedback import Feedback
+from trimmer.loops import ClosedLoop, Feedback
 from trimmer.loops.flow import LoopFlow, instant_in
-from trimmer.loops.loops import ClosedLoop
 from trimmer.orbits.balanced_start import balanced_starts, starts_of_motion
 from trimmer.orbits.describe import orbit_of_loop
 from trimmer.orbits.distinct import closed, collapsed, same, shortest

@@ -12,10 +12,9 @@ from trimmer.arrays import Reals
 from trimmer.hybrid import advance
 from trimmer.hybrid.variation import propagator
 from trimmer.hybrid.work import Log
-from trimmer.loops.feedback import Feedback
+from trimmer.loops import ClosedLoop, Feedback
 from trimmer.loops.flow import LoopFlow, instant_in
 from trimmer.loops.integration import followed
-from trimmer.loops.loops import ClosedLoop
 from trimmer.motion.part import mirrored as mirrored_statuses
 from trimmer.orbits.describe import orbit_of_loop
 from trimmer.orbits.distinct import closed, collapsed, same, shortest

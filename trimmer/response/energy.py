@@ -29,8 +29,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
     from trimmer.arrays import Reals
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.mechanism.parts import Play, Stop
+    from trimmer.mechanism import Mechanism, Play, Stop
     from trimmer.motion.course import Course
     from trimmer.motion.signals import Signal
 

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 
 from trimmer.arguments import require_instance
 from trimmer.errors import UnsupportedMotionError
-from trimmer.mechanism.controls.references import RampReference
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism import Mechanism, RampReference
 from trimmer.mechanism.place_text import place_text
 
 if TYPE_CHECKING:

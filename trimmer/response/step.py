@@ -8,8 +8,7 @@ from trimmer.contact.control_readouts import control_signal, largest_demand
 from trimmer.contact.flow import MechanismFlow
 from trimmer.errors import MechanismError
 from trimmer.hybrid.advance import Ending
-from trimmer.mechanism.controls.references import StepReference
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism import Mechanism, StepReference
 from trimmer.messages import listed, near_match
 from trimmer.motion.extremes import turning_points
 from trimmer.motion.step_measures import Step, StepMeasures, step_measures

@@ -14,8 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.mechanism.controls.controllers import Cascade, Controller, Pid, TransferController
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism import Cascade, Controller, Mechanism, Pid, TransferController
 
 ERROR, SPEED, RATE = range(3)  # What goes into a law
 
