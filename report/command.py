@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from report.pages.formats import Format, Paper, add_form_options
 from report.rendering.request import Request
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read, folder_to_write, show
 from trimmer.command_line.parser import OptionError, refuse_unused
 from trimmer.errors import TrimmerError
@@ -194,18 +194,12 @@ COMMAND = Command(
     "build the report: derive, solve, judge, draw, write HTML, PDF and JSON",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer report",
-            "what holds of the thesis, in build/report: report.html, report.pdf, cards.pdf, claims.json",
-        ),
-        Example(
-            "trimmer report --only ch5 --format html --open",
-            "one chapter alone, as a page, in the browser",
-        ),
-        Example(
-            "trimmer report --compare claims.json",
-            "what has changed since the claims.json of an earlier report",
-        ),
-    ),
+    examples=uses("""
+    trimmer report
+        what holds of the thesis, in build/report: report.html, report.pdf, cards.pdf, claims.json
+    trimmer report --only ch5 --format html --open
+        one chapter alone, as a page, in the browser
+    trimmer report --compare claims.json
+        what has changed since the claims.json of an earlier report
+    """),
 )

@@ -9,7 +9,7 @@ from pathlib import Path
 from report.command import add_build_options, formats_of, made
 from report.pages.formats import Paper
 from report.rendering.request import Request
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import folder_to_read
 from trimmer.errors import TrimmerError
 
@@ -52,14 +52,10 @@ COMMAND = Command(
     "judge a text of your own, a thesis or a paper, claim by claim; HTML, PDF and JSON",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer judge examples/judged-paper",
-            "what holds of a paper on dry friction, in build/judge",
-        ),
-        Example(
-            "trimmer judge examples/judged-paper --format html --directory build/paper",
-            "the same as a page alone, in a folder of its own",
-        ),
-    ),
+    examples=uses("""
+    trimmer judge examples/judged-paper
+        what holds of a paper on dry friction, in build/judge
+    trimmer judge examples/judged-paper --format html --directory build/paper
+        the same as a page alone, in a folder of its own
+    """),
 )

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from report.pages.formats import Format, Paper, add_form_options
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import add_overwrite_option, file_to_read, folder_to_write, show
 from trimmer.command_line.mechanism_options import add_set_option
 from trimmer.command_line.parser import INTERRUPTED, OptionError, refuse_unused, tell
@@ -222,14 +222,10 @@ COMMAND = Command(
     "report on a mechanism: verdict, motions, maps, margins, what to change; HTML and PDF",
     _configure,
     told_how_to_go_on(_run),
-    examples=(
-        Example(
-            "trimmer design examples/den-hartog.toml --format html",
-            "all that is known of an oscillator with dry friction, as build/design/den-hartog.html",
-        ),
-        Example(
-            "trimmer design examples/thesis.toml --format html --jobs 1",
-            "the same of a trimmer without play, on one core",
-        ),
-    ),
+    examples=uses("""
+    trimmer design examples/den-hartog.toml --format html
+        all that is known of an oscillator with dry friction, as build/design/den-hartog.html
+    trimmer design examples/thesis.toml --format html --jobs 1
+        the same of a trimmer without play, on one core
+    """),
 )

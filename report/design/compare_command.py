@@ -20,7 +20,7 @@ from report.design.command import (
     told_how_to_go_on,
 )
 from report.pages.formats import Format, Paper
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import file_to_read, show
 from trimmer.command_line.mechanism_options import add_set_option
 from trimmer.command_line.parser import OptionError
@@ -103,14 +103,10 @@ COMMAND = Command(
     "report on two mechanisms side by side, before and after a change; HTML and PDF",
     _configure,
     told_how_to_go_on(_run),
-    examples=(
-        Example(
-            "trimmer compare examples/thesis-play.toml examples/held.toml --format html",
-            "a page on both: what changed in the file, verdicts, measures side by side, spectra",
-        ),
-        Example(
-            "trimmer compare examples/thesis-play.toml examples/scatter.toml --format pdf --paper letter",
-            "the same as a PDF, of two trimmers that differ only in what is wanted of them",
-        ),
-    ),
+    examples=uses("""
+    trimmer compare examples/thesis-play.toml examples/held.toml --format html
+        a page on both: what changed in the file, verdicts, measures side by side, spectra
+    trimmer compare examples/thesis-play.toml examples/scatter.toml --format pdf --paper letter
+        the same as a PDF, of two trimmers that differ only in what is wanted of them
+    """),
 )

@@ -2,7 +2,7 @@
 
 from argparse import ArgumentParser, Namespace
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import add_input
 from trimmer.command_line.number_options import add_positive
 from trimmer.command_line.parser import ENDED_EARLY, tell
@@ -33,14 +33,10 @@ COMMAND = Command(
     "verify a proof by ball arithmetic again, from the data in its file alone",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer check examples/proofs/thesis-limit-cycles.json",
-            "whether the thesis's loop has these two limit cycles and no other",
-        ),
-        Example(
-            "trimmer check examples/proofs/delayed-relay.json",
-            "the same of a relay behind a delay, whose limit cycle is easily missed",
-        ),
-    ),
+    examples=uses("""
+    trimmer check examples/proofs/thesis-limit-cycles.json
+        whether the thesis's loop has these two limit cycles and no other
+    trimmer check examples/proofs/delayed-relay.json
+        the same of a relay behind a delay, whose limit cycle is easily missed
+    """),
 )

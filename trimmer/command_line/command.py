@@ -19,6 +19,17 @@ class Example:
         return shlex.split(self.words)[1:]
 
 
+def uses(text: str) -> tuple[Example, ...]:
+    """Return the uses that an indented text lists: of each its words, and farther in what it answers."""
+    found: list[tuple[list[str], list[str]]] = []
+    for line in filter(str.strip, text.splitlines()):
+        answer = line.startswith(8 * " ")
+        if not answer and (not found or found[-1][1]):
+            found.append(([], []))
+        found[-1][answer].append(line.strip())
+    return tuple(Example(" ".join(words), " ".join(purpose)) for words, purpose in found)
+
+
 @dataclass(frozen=True)
 class Command:
     """A subcommand of ``trimmer``.

@@ -3,7 +3,7 @@
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import (
     add_input,
     add_overwrite_option,
@@ -102,15 +102,12 @@ COMMAND = Command(
     "derive equations of motion, of the thesis or of a mechanism; write numeric module and LaTeX",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer derive examples/two-mass-stop.toml",
-            "equations of motion of a mechanism, in build/derivation as LaTeX and as Python",
-        ),
-        Example(
-            "trimmer derive examples/two-mass-stop.toml --module - --latex two-mass.tex --quiet",
-            "the same, the Python on standard output",
-        ),
-        Example("trimmer derive", "the thesis's trimmer and its describing functions, derived again"),
-    ),
+    examples=uses("""
+    trimmer derive examples/two-mass-stop.toml
+        equations of motion of a mechanism, in build/derivation as LaTeX and as Python
+    trimmer derive examples/two-mass-stop.toml --module - --latex two-mass.tex --quiet
+        the same, the Python on standard output
+    trimmer derive
+        the thesis's trimmer and its describing functions, derived again
+    """),
 )

@@ -2,7 +2,7 @@
 
 from argparse import ArgumentParser, Namespace
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, add_input, check_targets, show
 from trimmer.command_line.loops.loop_options import add_loop_options, chosen_parameters
 from trimmer.command_line.mechanism_options import add_set_option, chosen_mechanism
@@ -75,18 +75,12 @@ COMMAND = Command(
     "modes and frequency responses of a mechanism, or of the linear trimmer of the thesis",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer linear",
-            "at what frequencies the trimmer vibrates by itself, and how much each mode is damped",
-        ),
-        Example(
-            "trimmer linear examples/thesis-play.toml --plot modes.svg",
-            "modes and responses of the trimmer with play, with its slot closed and open",
-        ),
-        Example(
-            "trimmer linear --parameters mine.toml --json",
-            "the same of a trimmer of your own, for a program; `trimmer parameters` writes mine.toml",
-        ),
-    ),
+    examples=uses("""
+    trimmer linear
+        at what frequencies the trimmer vibrates by itself, and how much each mode is damped
+    trimmer linear examples/thesis-play.toml --plot modes.svg
+        modes and responses of the trimmer with play, with its slot closed and open
+    trimmer linear --parameters mine.toml --json
+        the same of a trimmer of your own, for a program; `trimmer parameters` writes mine.toml
+    """),
 )

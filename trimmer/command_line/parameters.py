@@ -2,7 +2,7 @@
 
 from argparse import ArgumentParser, Namespace
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import keep, show
 from trimmer.command_line.output_options import add_file_option
 
@@ -34,11 +34,10 @@ COMMAND = Command(
     "write a commented parameter file (the thesis's trimmer)",
     _configure,
     _run,
-    examples=(
-        Example("trimmer parameters", "what the parameters of the thesis's trimmer are"),
-        Example(
-            "trimmer parameters --output mine.toml",
-            "the same in a file: change the numbers, then `trimmer linear --parameters mine.toml`",
-        ),
-    ),
+    examples=uses("""
+    trimmer parameters
+        what the parameters of the thesis's trimmer are
+    trimmer parameters --output mine.toml
+        the same in a file: change the numbers, then `trimmer linear --parameters mine.toml`
+    """),
 )

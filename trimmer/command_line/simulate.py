@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
 from trimmer.command_line.loops.loop_options import unusable
 from trimmer.command_line.loops.motion_options import start_of_loop
@@ -174,26 +174,18 @@ def _signals(motion: LoopMotion | MechanismMotion, sample_rate: float) -> list[S
     return [Signal(motion.signal(name, times), sample_rate, name, unit) for name, unit in units.items()]
 
 
-_DRIVEN = "--element friction --drive 110 --amplitude 1.5e-3"
-
 COMMAND = Command(
     "simulate",
     "exact motion with play and friction, as text, CSV or sound",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer simulate examples/thesis-play.toml --set frictions.blade.force=1 --duration 0.6 "
-            "--csv motion.csv --plot motion.svg",
-            "how bridge and pin meet if the blade rubs with 1 N, as samples and as a picture",
-        ),
-        Example(
-            f"trimmer simulate --gap 4e-5 {_DRIVEN} --csv vibration.csv",
-            "how the thesis's trimmer with play moves when it is driven at 110 Hz, as samples",
-        ),
-        Example(
-            f"trimmer simulate --gap 2e-4 {_DRIVEN} --friction q2-q4=0.5",
-            "the same with a wide play and dry friction between cutter and guard",
-        ),
-    ),
+    examples=uses("""
+    trimmer simulate examples/thesis-play.toml --set frictions.blade.force=1 --duration 0.6 --csv
+    motion.csv --plot motion.svg
+        how bridge and pin meet if the blade rubs with 1 N, as samples and as a picture
+    trimmer simulate --gap 4e-5 --element friction --drive 110 --amplitude 1.5e-3 --csv vibration.csv
+        how the thesis's trimmer with play moves when it is driven at 110 Hz, as samples
+    trimmer simulate --gap 2e-4 --element friction --drive 110 --amplitude 1.5e-3 --friction q2-q4=0.5
+        the same with a wide play and dry friction between cutter and guard
+    """),
 )

@@ -2,7 +2,7 @@
 
 from argparse import ArgumentParser, Namespace
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.loops.loop_options import add_loop_options, linear_part
 from trimmer.command_line.output_options import add_output_options, write_picture
@@ -56,14 +56,10 @@ COMMAND = Command(
     "time constant M/D of the load behind a backlash, from a measured frequency",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer identify --gap 4e-5 --frequency 740 --channels displacement",
-            "which M/D of the load goes with a vibration that was measured at 740 Hz",
-        ),
-        Example(
-            "trimmer identify --gap 4e-5 --frequency 740 --uncertainty 2 --channels displacement",
-            "the same as an interval, if the measurement may be off by 2 Hz",
-        ),
-    ),
+    examples=uses("""
+    trimmer identify --gap 4e-5 --frequency 740 --channels displacement
+        which M/D of the load goes with a vibration that was measured at 740 Hz
+    trimmer identify --gap 4e-5 --frequency 740 --uncertainty 2 --channels displacement
+        the same as an interval, if the measurement may be off by 2 Hz
+    """),
 )

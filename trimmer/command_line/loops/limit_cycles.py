@@ -6,7 +6,7 @@ import math
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, add_input, check_targets, show
 from trimmer.command_line.loops.loop_options import (
     add_element_options,
@@ -85,18 +85,12 @@ COMMAND = Command(
     "limit cycles by harmonic balance: amplitude, frequency, stability",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer limit-cycles --element friction --gap 4e-5",
-            "which vibrations a play of 40 um can keep up, and which of them are stable",
-        ),
-        Example(
-            "trimmer limit-cycles --element viscous --gap 4e-5 --time-constant 1e-3 --plot loci.svg",
-            "the same with a heavy load behind the play, and a picture of the curves that meet",
-        ),
-        Example(
-            "trimmer limit-cycles --element coulomb --force 0.5 --channels displacement",
-            "whether dry friction in place of the play can keep up a vibration",
-        ),
-    ),
+    examples=uses("""
+    trimmer limit-cycles --element friction --gap 4e-5
+        which vibrations a play of 40 um can keep up, and which of them are stable
+    trimmer limit-cycles --element viscous --gap 4e-5 --time-constant 1e-3 --plot loci.svg
+        the same with a heavy load behind the play, and a picture of the curves that meet
+    trimmer limit-cycles --element coulomb --force 0.5 --channels displacement
+        whether dry friction in place of the play can keep up a vibration
+    """),
 )

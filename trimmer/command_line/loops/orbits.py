@@ -6,7 +6,7 @@ import warnings
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.loops.loop_options import (
     add_element_options,
@@ -84,14 +84,10 @@ COMMAND = Command(
     "exact limit cycles, with the error of harmonic balance",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer orbits --element friction --gap 4e-5",
-            "what exact vibrations there are, and how far off the predictions of `trimmer limit-cycles` are",
-        ),
-        Example(
-            "trimmer orbits --element inertia --gap 4e-5 --simulate",
-            "the same with a load of inertia alone, and whether motions from 32 starts settle on more",
-        ),
-    ),
+    examples=uses("""
+    trimmer orbits --element friction --gap 4e-5
+        what exact vibrations there are, and how far off the predictions of `trimmer limit-cycles` are
+    trimmer orbits --element inertia --gap 4e-5 --simulate
+        the same with a load of inertia alone, and whether motions from 32 starts settle on more
+    """),
 )

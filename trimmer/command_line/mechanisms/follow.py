@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.mechanisms.map_options import add_interval_options, chosen_interval
 from trimmer.command_line.mechanisms.measure_option import Targets, add_measure_option, chosen_measures
@@ -106,18 +106,12 @@ COMMAND = Command(
     "exact periodic motions of a mechanism or a loop over any of its numbers",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer follow examples/thesis-play.toml --vary frictions.blade.force --from 1 --to 0.9",
-            "how the stroke changes as the friction of the blade falls from 1 N to 0.9 N",
-        ),
-        Example(
-            "trimmer follow examples/oscillator-stop.toml --vary frequency --from 0.85 --to 1.45",
-            "between which frequencies an oscillator with a stop has two stable motions: between the folds",
-        ),
-        Example(
-            "trimmer follow --element friction --gap 4e-5 --vary element.gap --from 40um --to 38um",
-            "how the limit cycle of the thesis's loop shrinks with its gap",
-        ),
-    ),
+    examples=uses("""
+    trimmer follow examples/thesis-play.toml --vary frictions.blade.force --from 1 --to 0.9
+        how the stroke changes as the friction of the blade falls from 1 N to 0.9 N
+    trimmer follow examples/oscillator-stop.toml --vary frequency --from 0.85 --to 1.45
+        between which frequencies an oscillator with a stop has two stable motions: between the folds
+    trimmer follow --element friction --gap 4e-5 --vary element.gap --from 40um --to 38um
+        how the limit cycle of the thesis's loop shrinks with its gap
+    """),
 )

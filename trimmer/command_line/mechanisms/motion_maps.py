@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
 from trimmer.command_line.mechanism_options import add_seed_option
 from trimmer.command_line.mechanisms.map_options import EXAMPLE, FORM, varied_values
@@ -188,34 +188,20 @@ def _told(
     return "\n".join([as_text(result, searched, special, measures), *(f"wrote {path}" for path in written)])
 
 
-_OVER_TWO = (
-    "examples/thesis-play.toml --vary plays.bridge.gap=0um:200um:3 --vary frictions.blade.force=1:2:2 "
-    "--output cells.map"
-)
-
-_OF_LOOP = (
-    "--element friction --gap 4e-5 --friction q2-q4=1 --drive 110 --amplitude 1.5e-3 "
-    "--vary element.gap=40um:200um:3 --vary frictions.q2-q4.force=1:5:2"
-)
-
 COMMAND = Command(
     "map",
     "which motion a mechanism or a loop settles to, over one or two of its numbers",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer map examples/thesis-play.toml --vary plays.bridge.gap=0um:200um:3 --plot map.svg",
-            "which motion there is at three gaps, and a picture",
-        ),
-        Example(
-            f"trimmer map {_OVER_TWO}",
-            "the same over gap and friction; keeps each cell as soon as it is done, so that the same call "
-            "with --resume goes on after an interrupt",
-        ),
-        Example(
-            f"trimmer map {_OF_LOOP}",
-            "which motion the thesis's loop has when it is driven, over gap and friction",
-        ),
-    ),
+    examples=uses("""
+    trimmer map examples/thesis-play.toml --vary plays.bridge.gap=0um:200um:3 --plot map.svg
+        which motion there is at three gaps, and a picture
+    trimmer map examples/thesis-play.toml --vary plays.bridge.gap=0um:200um:3 --vary
+    frictions.blade.force=1:2:2 --output cells.map
+        the same over gap and friction; keeps each cell as soon as it is done, so that the same call
+        with --resume goes on after an interrupt
+    trimmer map --element friction --gap 4e-5 --friction q2-q4=1 --drive 110 --amplitude 1.5e-3 --vary
+    element.gap=40um:200um:3 --vary frictions.q2-q4.force=1:5:2
+        which motion the thesis's loop has when it is driven, over gap and friction
+    """),
 )

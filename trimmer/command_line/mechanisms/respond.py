@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.mechanism_options import add_seed_option
 from trimmer.command_line.number_options import add_count
@@ -79,18 +79,12 @@ COMMAND = Command(
     "what a mechanism or a loop settles to: repeating, at rest, on a torus or chaotic",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer respond examples/thesis-play.toml --set frictions.blade.force=1",
-            "what the trimmer with play settles to from rest if the friction of the blade is 1 N",
-        ),
-        Example(
-            "trimmer respond examples/gear-pair.toml --starts 5 --plot motion.svg",
-            "whether a pair of gears settles to other motions from other starts; and a picture of one",
-        ),
-        Example(
-            "trimmer respond --element friction --gap 4e-5 --impulse 1e-6",
-            "which vibration of its own the thesis's loop settles to after an impulse",
-        ),
-    ),
+    examples=uses("""
+    trimmer respond examples/thesis-play.toml --set frictions.blade.force=1
+        what the trimmer with play settles to from rest if the friction of the blade is 1 N
+    trimmer respond examples/gear-pair.toml --starts 5 --plot motion.svg
+        whether a pair of gears settles to other motions from other starts; and a picture of one
+    trimmer respond --element friction --gap 4e-5 --impulse 1e-6
+        which vibration of its own the thesis's loop settles to after an impulse
+    """),
 )

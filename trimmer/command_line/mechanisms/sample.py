@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.loops.loop_options import ELEMENT_OPTIONS
 from trimmer.command_line.loops.motion_options import chosen_loop
@@ -181,14 +181,10 @@ COMMAND = Command(
     "what a mechanism or a loop does when its numbers scatter: distributions, yield, what matters",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer sample examples/scatter.toml --count 64",
-            "in how many of a series of trimmers the motion keeps to the drive, and how the stroke scatters",
-        ),
-        Example(
-            "trimmer sample examples/scatter.toml --count 32 --indices",
-            "which number of the trimmer is to blame for that",
-        ),
-    ),
+    examples=uses("""
+    trimmer sample examples/scatter.toml --count 64
+        in how many of a series of trimmers the motion keeps to the drive, and how the stroke scatters
+    trimmer sample examples/scatter.toml --count 32 --indices
+        which number of the trimmer is to blame for that
+    """),
 )

@@ -2,7 +2,7 @@
 
 from argparse import ArgumentParser, Namespace
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.mechanism_options import add_mechanism_options, note_controllers
 from trimmer.command_line.mechanisms.simulation import check_periods
@@ -58,14 +58,10 @@ COMMAND = Command(
     "how a controlled mechanism follows a step: rise, overshoot, settling, error, hunting",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer step examples/two-mass-servo.toml --plot step.svg",
-            "how a servo with backlash follows a step, and that it hunts; and a picture of it",
-        ),
-        Example(
-            "trimmer step examples/stiction-pid.toml --set controllers.axis.ki=0",
-            "how a motor with stiction follows it without an integral: it comes to rest, with an error",
-        ),
-    ),
+    examples=uses("""
+    trimmer step examples/two-mass-servo.toml --plot step.svg
+        how a servo with backlash follows a step, and that it hunts; and a picture of it
+    trimmer step examples/stiction-pid.toml --set controllers.axis.ki=0
+        how a motor with stiction follows it without an integral: it comes to rest, with an error
+    """),
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.mechanisms.map_options import add_interval_options, chosen_interval
 from trimmer.command_line.number_options import add_count
@@ -92,15 +92,11 @@ COMMAND = Command(
     "run-up and coast-down over any number: jumps, hysteresis, waterfall over orders",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer sweep examples/oscillator-stop.toml --vary frequency --from 1 --to 1.4 --steps 8 --back",
-            "where an oscillator with a stop jumps as its drive runs up from 1 Hz to 1.4 Hz, and down again",
-        ),
-        Example(
-            "trimmer sweep examples/thesis-play.toml --vary frequency --from 100 --to 110 --steps 4 "
-            "--periods 100 --plot waterfall.svg",
-            "the trimmer with play from 100 Hz to 110 Hz; and its orders as a picture",
-        ),
-    ),
+    examples=uses("""
+    trimmer sweep examples/oscillator-stop.toml --vary frequency --from 1 --to 1.4 --steps 8 --back
+        where an oscillator with a stop jumps as its drive runs up from 1 Hz to 1.4 Hz, and down again
+    trimmer sweep examples/thesis-play.toml --vary frequency --from 100 --to 110 --steps 4 --periods 100
+    --plot waterfall.svg
+        the trimmer with play from 100 Hz to 110 Hz; and its orders as a picture
+    """),
 )

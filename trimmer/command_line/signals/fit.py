@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, add_input, check_targets, file_to_read, show
 from trimmer.command_line.loops.motion_options import add_motion_options, chosen_loop
 from trimmer.command_line.mechanism_options import add_seed_option, add_set_option, chosen_mechanism
@@ -221,16 +221,12 @@ COMMAND = Command(
     "gap, stiffness, damping and friction of a mechanism or a loop from a measured motion, with intervals",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer fit examples/thesis-play.toml motion.csv --from 0.3 --starts 2 --output fitted.toml",
-            "which gap, stiffness, damping and friction explain motion.csv (see `trimmer simulate --help`); "
-            "and the mechanism with them",
-        ),
-        Example(
-            "trimmer fit examples/thesis-play.toml motion.csv --from 0.3 --starts 1 --free plays.bridge.gap "
-            "--free frictions.blade.force --plot fit.svg",
-            "gap and friction alone, and a picture of the measured motion over the fitted one",
-        ),
-    ),
+    examples=uses("""
+    trimmer fit examples/thesis-play.toml motion.csv --from 0.3 --starts 2 --output fitted.toml
+        which gap, stiffness, damping and friction explain motion.csv (see `trimmer simulate --help`);
+        and the mechanism with them
+    trimmer fit examples/thesis-play.toml motion.csv --from 0.3 --starts 1 --free plays.bridge.gap --free
+    frictions.blade.force --plot fit.svg
+        gap and friction alone, and a picture of the measured motion over the fitted one
+    """),
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, add_input, check_targets, show
 from trimmer.command_line.loops.motion_options import add_motion_options, chosen_loop
 from trimmer.command_line.mechanism_options import add_set_option, mechanism_with
@@ -148,15 +148,11 @@ COMMAND = Command(
     "a measured motion beside what a mechanism settles to",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer overlay vibration.csv --column q2-q4 --against examples/thesis-play.toml",
-            "which harmonics of vibration.csv (see `trimmer simulate --help`) the mechanism has too, in dB",
-        ),
-        Example(
-            "trimmer overlay vibration.csv --column q2-q4 --against examples/thesis-play.toml "
-            "--set plays.bridge.gap=60um --plot compared.svg",
-            "the same with a wider play, and a picture of both spectra and of both waveforms",
-        ),
-    ),
+    examples=uses("""
+    trimmer overlay vibration.csv --column q2-q4 --against examples/thesis-play.toml
+        which harmonics of vibration.csv (see `trimmer simulate --help`) the mechanism has too, in dB
+    trimmer overlay vibration.csv --column q2-q4 --against examples/thesis-play.toml --set
+    plays.bridge.gap=60um --plot compared.svg
+        the same with a wider play, and a picture of both spectra and of both waveforms
+    """),
 )

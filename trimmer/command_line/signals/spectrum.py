@@ -6,7 +6,7 @@ import warnings
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING
 
-from trimmer.command_line.command import Command, Example
+from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, add_input, add_overwrite_option, check_targets, show
 from trimmer.command_line.loops.loop_options import add_loop_options, chosen_parameters, linear_part
 from trimmer.command_line.mechanism_options import add_set_option, mechanism_with
@@ -239,18 +239,13 @@ COMMAND = Command(
     "spectrum of a measured signal, and what its peaks may be",
     _configure,
     _run,
-    examples=(
-        Example(
-            "trimmer spectrum vibration.csv --column q2-q4 --drive 110 --gap 4e-5 --wav vibration.wav",
-            "which peaks are harmonics of the drive, natural modes or limit cycles; and what it sounds like",
-        ),
-        Example(
-            "trimmer spectrum vibration.csv --column q2-q4 --window flat-top --limit 5 --plot spectrum.svg",
-            "how high the five largest peaks are; see `trimmer simulate --help` for what wrote vibration.csv",
-        ),
-        Example(
-            "trimmer spectrum vibration.csv --column q2-q4 --as acceleration --average 8",
-            "the same as acceleration, with the band that can be trusted, and averaged by Welch's method",
-        ),
-    ),
+    examples=uses("""
+    trimmer spectrum vibration.csv --column q2-q4 --drive 110 --gap 4e-5 --wav vibration.wav
+        which peaks are harmonics of the drive, natural modes or limit cycles; and what it sounds like
+    trimmer spectrum vibration.csv --column q2-q4 --window flat-top --limit 5 --plot spectrum.svg
+        how high the five largest peaks are; see `trimmer simulate --help` for what wrote
+        vibration.csv
+    trimmer spectrum vibration.csv --column q2-q4 --as acceleration --average 8
+        the same as acceleration, with the band that can be trusted, and averaged by Welch's method
+    """),
 )
