@@ -13,12 +13,9 @@ from derivations.linear_trimmer import LinearTrimmer
 from derivations.step import Formula, NarrativeStep
 from derivations.symbols import c2, k2, k5, m2, q1, q2, q3, t, u
 
-BRIDGE = total(q2, -q1, -u)
-"""Elongation of the driving bridge, m: the cutter less the pin."""
-COIL = total(q2, -q3)
-"""Elongation of the coil spring, m: the cutter less the housing."""
-RATE = total(q2.diff(t), -q1.diff(t), -u.diff(t))
-"""Rate at which the driving bridge grows longer, m/s."""
+BRIDGE = total(q2, -q1, -u)  # Elongation of the driving bridge, m: the cutter less the pin
+COIL = total(q2, -q3)  # Elongation of the coil spring, m: the cutter less the housing
+RATE = total(q2.diff(t), -q1.diff(t), -u.diff(t))  # Rate at which the driving bridge grows longer, m/s
 
 
 def worked_equation(derivation: LinearTrimmer) -> NarrativeStep:

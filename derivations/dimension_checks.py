@@ -16,18 +16,12 @@ ACCELERATION = LENGTH / TIME**2
 
 @dataclass(frozen=True)
 class DimensionCheck:
-    """A derived expression and the dimension that it must have.
+    """A derived expression and the dimension that it must have."""
 
-    Attributes:
-        name: What the expression is, for the error message.
-        expression: The derived expression, a scalar.
-        expected: Its dimension by mechanics.
-        dimensions: Those of the symbols; by default of the thesis's.
-    """
-
-    name: str
-    expression: sympy.Expr
-    expected: Dimension
+    name: str  # What the expression is, for the error message
+    expression: sympy.Expr  # The derived expression, a scalar
+    expected: Dimension  # Its dimension by mechanics
+    # Those of the symbols; by default of the thesis's
     dimensions: Mapping[sympy.Expr, Dimension] = field(default_factory=lambda: DIMENSIONS)
 
     @property

@@ -19,17 +19,11 @@ class DimensionError(ValueError):
 
 @dataclass(frozen=True)
 class Dimension:
-    """A physical dimension mass^a length^b time^c; an angle is a pure number.
+    """A physical dimension mass^a length^b time^c; an angle is a pure number."""
 
-    Attributes:
-        mass: Exponent of mass, kg in SI units.
-        length: Exponent of length, m.
-        time: Exponent of time, s.
-    """
-
-    mass: sympy.Rational | int = 0
-    length: sympy.Rational | int = 0
-    time: sympy.Rational | int = 0
+    mass: sympy.Rational | int = 0  # Exponent of mass, kg in SI units
+    length: sympy.Rational | int = 0  # Exponent of length, m
+    time: sympy.Rational | int = 0  # Exponent of time, s
 
     def __mul__(self, other: Dimension) -> Dimension:
         return Dimension(self.mass + other.mass, self.length + other.length, self.time + other.time)

@@ -12,34 +12,25 @@ from derivations.generalised_forces import generalised_forces
 from derivations.mechanism import Mechanism
 from derivations.symbols import t
 
-KEPT = 8
-"""Mechanisms whose equations are kept, because several checks ask for the same ones."""
+KEPT = 8  # Mechanisms whose equations are kept, because several checks ask for the same ones
 
 
 @dataclass(frozen=True)
 class MotionMatrices:
-    """Matrices of M q̈ + C q̇ + K q = F_u u + F_v u̇ + F_p p + F_T T + F_f f + f_0.
+    """Matrices of M q̈ + C q̇ + K q = F_u u + F_v u̇ + F_p p + F_T T + F_f f + f_0."""
 
-    Attributes:
-        mass: M, n × n for n bodies, kg.
-        damping: C, n × n, N s/m.
-        stiffness: K, n × n, N/m.
-        displacement_force: F_u, a column for each pin: force on each body per displacement, N/m.
-        velocity_force: F_v, a column for each pin: force on each body per velocity, N s/m.
-        given_force: F_p, a column for each given force, 1 at its body.
-        contact_force: F_T, a column for each contact: share of its tension on each body.
-        friction_force: F_f, a column for each friction: share of its dry force on each body.
-        constant_force: f_0, n × 1, N: of springs that carry nothing at another distance of their ends.
-    """
-
-    mass: sympy.ImmutableMatrix
-    damping: sympy.ImmutableMatrix
-    stiffness: sympy.ImmutableMatrix
+    mass: sympy.ImmutableMatrix  # M, n × n for n bodies, kg
+    damping: sympy.ImmutableMatrix  # C, n × n, N s/m
+    stiffness: sympy.ImmutableMatrix  # K, n × n, N/m
+    # F_u, a column for each pin: force on each body per displacement, N/m
     displacement_force: sympy.ImmutableMatrix
+    # F_v, a column for each pin: force on each body per velocity, N s/m
     velocity_force: sympy.ImmutableMatrix
-    given_force: sympy.ImmutableMatrix
-    contact_force: sympy.ImmutableMatrix
+    given_force: sympy.ImmutableMatrix  # F_p, a column for each given force, 1 at its body
+    contact_force: sympy.ImmutableMatrix  # F_T, a column for each contact: share of its tension on each body
+    # F_f, a column for each friction: share of its dry force on each body
     friction_force: sympy.ImmutableMatrix
+    # f_0, n × 1, N: of springs that carry nothing at another distance of their ends
     constant_force: sympy.ImmutableMatrix
 
     @property

@@ -80,15 +80,10 @@ def latex_document(derivation: LinearTrimmer, elements: tuple[NarrativeStep, ...
 
 @dataclass(frozen=True)
 class ValuedQuantity:
-    """A quantity of a mechanism for its table of symbols.
+    """A quantity of a mechanism for its table of symbols."""
 
-    Attributes:
-        quantity: Symbol, meaning and unit.
-        value: Its number in that unit; None for a function of time.
-    """
-
-    quantity: Quantity
-    value: float | None
+    quantity: Quantity  # Symbol, meaning and unit
+    value: float | None  # Its number in that unit; None for a function of time
 
 
 def mechanism_document(

@@ -24,31 +24,18 @@ from derivations.state_space import StateSpace, state_space
 
 @dataclass(frozen=True)
 class SymbolicMotion:
-    """Energies and linear equations of motion of a mechanism, checked by Newton's law and by its power.
+    """Energies and linear equations of motion of a mechanism, checked by Newton's law and by its power."""
 
-    Attributes:
-        mechanism: The mechanism.
-        kinetic_energy: T, J.
-        potential_energy: U of the springs, J.
-        rayleigh_function: R of dampers and viscous frictions, half of the power that they take, W.
-        lagrangian: T − U, J.
-        generalised_forces: Of contacts, dry frictions and given forces on each body, N.
-        resultant_forces: Mass times acceleration of each body, N.
-        matrices: Of the equations of motion.
-        space: State space.
-        power: Power balance along every motion, W.
-    """
-
-    mechanism: Mechanism
-    kinetic_energy: sympy.Expr
-    potential_energy: sympy.Expr
-    rayleigh_function: sympy.Expr
-    lagrangian: sympy.Expr
-    generalised_forces: tuple[sympy.Expr, ...]
-    resultant_forces: tuple[sympy.Expr, ...]
-    matrices: MotionMatrices
-    space: StateSpace
-    power: PowerBalance
+    mechanism: Mechanism  # The mechanism
+    kinetic_energy: sympy.Expr  # T, J
+    potential_energy: sympy.Expr  # U of the springs, J
+    rayleigh_function: sympy.Expr  # R of dampers and viscous frictions, half of the power that they take, W
+    lagrangian: sympy.Expr  # T − U, J
+    generalised_forces: tuple[sympy.Expr, ...]  # Of contacts, dry frictions and given forces on each body, N
+    resultant_forces: tuple[sympy.Expr, ...]  # Mass times acceleration of each body, N
+    matrices: MotionMatrices  # Of the equations of motion
+    space: StateSpace  # State space
+    power: PowerBalance  # Power balance along every motion, W
 
 
 def linear_motion(mechanism: Mechanism) -> SymbolicMotion:

@@ -16,17 +16,11 @@ from derivations.transfer_function import TransferFunctions, transfer_functions
 
 @dataclass(frozen=True)
 class LinearTrimmer(SymbolicMotion):
-    """All that follows from the declared mechanism of n bodies and one pin: its motion, and besides these.
+    """All that follows from the declared mechanism of n bodies and one pin: its motion, and besides these."""
 
-    Attributes:
-        accelerations: Of the n bodies, from the Euler-Lagrange equations, m/s².
-        newton: The same from forces alone, the independent way, m/s².
-        transfer: Transfer functions from the pin to each body.
-    """
-
-    accelerations: tuple[sympy.Expr, ...]
-    newton: tuple[sympy.Expr, ...]
-    transfer: TransferFunctions
+    accelerations: tuple[sympy.Expr, ...]  # Of the n bodies, from the Euler-Lagrange equations, m/s²
+    newton: tuple[sympy.Expr, ...]  # The same from forces alone, the independent way, m/s²
+    transfer: TransferFunctions  # Transfer functions from the pin to each body
 
 
 def derive_linear_trimmer(mechanism: Mechanism | None = None) -> LinearTrimmer:

@@ -18,19 +18,12 @@ class Ground:
 
 @dataclass(frozen=True)
 class RigidBody:
-    """A rigid body that moves along one line, or turns.
+    """A rigid body that moves along one line, or turns."""
 
-    Attributes:
-        name: What it is, in words.
-        mass: Mass, kg, or moment of inertia, kg m².
-        coordinate: Displacement in the fixed frame, m, or angle, rad, a function of time.
-        turns: Whether it is an angle.
-    """
-
-    name: str
-    mass: sympy.Expr
-    coordinate: sympy.Expr
-    turns: bool = False
+    name: str  # What it is, in words
+    mass: sympy.Expr  # Mass, kg, or moment of inertia, kg m²
+    coordinate: sympy.Expr  # Displacement in the fixed frame, m, or angle, rad, a function of time
+    turns: bool = False  # Whether it is an angle
 
 
 @dataclass(frozen=True)
@@ -90,34 +83,21 @@ End = Ground | RigidBody | Point | Pin
 
 @dataclass(frozen=True)
 class Spring:
-    """A linear spring.
+    """A linear spring."""
 
-    Attributes:
-        stiffness: Stiffness, N/m.
-        start: One end.
-        end: The other end; the elongation is its displacement less that of ``start`` and less ``rest``.
-        rest: Distance of the ends at which it carries nothing, m.
-    """
-
-    stiffness: sympy.Expr
-    start: End
-    end: End
-    rest: sympy.Expr = sympy.S.Zero
+    stiffness: sympy.Expr  # Stiffness, N/m
+    start: End  # One end
+    end: End  # The other end; the elongation is its displacement less that of ``start`` and less ``rest``
+    rest: sympy.Expr = sympy.S.Zero  # Distance of the ends at which it carries nothing, m
 
 
 @dataclass(frozen=True)
 class Damper:
-    """A linear damper.
+    """A linear damper."""
 
-    Attributes:
-        damping: Coefficient, N s/m.
-        start: One end.
-        end: The other end, as for a spring.
-    """
-
-    damping: sympy.Expr
-    start: End
-    end: End
+    damping: sympy.Expr  # Coefficient, N s/m
+    start: End  # One end
+    end: End  # The other end, as for a spring
 
 
 class ContactLaw(Enum):
@@ -135,31 +115,18 @@ class ContactLaw(Enum):
 
 @dataclass(frozen=True)
 class Contact:
-    """A spring and a damper side by side behind a slot; ``Play`` and ``Stop`` are the two kinds.
+    """A spring and a damper side by side behind a slot; ``Play`` and ``Stop`` are the two kinds."""
 
-    Attributes:
-        name: What it is, in words.
-        stiffness: k, N/m.
-        damping: c, N s/m.
-        gap: g, m.
-        start: One end.
-        end: The other end.
-        distance: s, displacement of ``end`` less that of ``start``, m, a function of time.
-        stretch: z, stretch of the spring, m, a function of time.
-        tension: T = k z + c ż, N, a function of time; positive it pulls the ends together.
-        law: What it does when its force would have to pull.
-    """
-
-    name: str
-    stiffness: sympy.Expr
-    damping: sympy.Expr
-    gap: sympy.Expr
-    start: End
-    end: End
-    distance: sympy.Expr
-    stretch: sympy.Expr
-    tension: sympy.Expr
-    law: ContactLaw
+    name: str  # What it is, in words
+    stiffness: sympy.Expr  # k, N/m
+    damping: sympy.Expr  # c, N s/m
+    gap: sympy.Expr  # g, m
+    start: End  # One end
+    end: End  # The other end
+    distance: sympy.Expr  # s, displacement of ``end`` less that of ``start``, m, a function of time
+    stretch: sympy.Expr  # z, stretch of the spring, m, a function of time
+    tension: sympy.Expr  # T = k z + c ż, N, a function of time; positive it pulls the ends together
+    law: ContactLaw  # What it does when its force would have to pull
 
     @property
     def offset(self) -> sympy.Expr:
@@ -222,23 +189,14 @@ Points = tuple[tuple[sympy.Expr, sympy.Expr], ...]
 
 @dataclass(frozen=True)
 class CurvedSpring:
-    """A spring whose force is straight between points, and beyond the outer ones.
+    """A spring whose force is straight between points, and beyond the outer ones."""
 
-    Attributes:
-        name: What it is, in words.
-        start: One end.
-        end: The other end.
-        distance: s, displacement of ``end`` less that of ``start``, m, a function of time.
-        tension: T, N, a function of time; positive it pulls the ends together.
-        points: The points of the curve.
-    """
-
-    name: str
-    start: End
-    end: End
-    distance: sympy.Expr
-    tension: sympy.Expr
-    points: Points
+    name: str  # What it is, in words
+    start: End  # One end
+    end: End  # The other end
+    distance: sympy.Expr  # s, displacement of ``end`` less that of ``start``, m, a function of time
+    tension: sympy.Expr  # T, N, a function of time; positive it pulls the ends together
+    points: Points  # The points of the curve
 
 
 @dataclass(frozen=True)
@@ -287,19 +245,12 @@ class Force:
 
 @dataclass(frozen=True)
 class Control:
-    """What a controller gives: a force that stands among the given ones.
+    """What a controller gives: a force that stands among the given ones."""
 
-    Attributes:
-        name: What it is, in words.
-        value: The force, N, a function of time.
-        told: What it measures and follows, in a sentence.
-        lines: Its law in formulas, LaTeX, with numbers in SI units.
-    """
-
-    name: str
-    value: sympy.Expr
-    told: str
-    lines: tuple[str, ...]
+    name: str  # What it is, in words
+    value: sympy.Expr  # The force, N, a function of time
+    told: str  # What it measures and follows, in a sentence
+    lines: tuple[str, ...]  # Its law in formulas, LaTeX, with numbers in SI units
 
 
 @dataclass(frozen=True)
@@ -319,6 +270,5 @@ class Output:
     force: sympy.Expr | None = None
 
 
-Tensioned = Contact | CurvedSpring | Wall
-"""What acts by a tension of its own law."""
+Tensioned = Contact | CurvedSpring | Wall  # What acts by a tension of its own law
 Joint = Spring | Damper | Tensioned | Friction

@@ -18,20 +18,13 @@ from derivations.symbols import t
 
 @dataclass(frozen=True)
 class PowerBalance:
-    """Terms of dE/dt = P − D − S along the equations of motion, E being the energy of a mechanism.
+    """Terms of dE/dt = P − D − S along the equations of motion, E being the energy of a mechanism."""
 
-    Attributes:
-        input_power: P, power of the pins and of the given forces, W.
-        dissipated_power: D, power that dampers and viscous friction take, W.
-        contact_power: S, power that contacts, dry frictions and structures take, W; a contact may give some
-            of it back.
-        residual: dE/dt − P + D + S, W; zero when the balance holds.
-    """
-
-    input_power: sympy.Expr
-    dissipated_power: sympy.Expr
+    input_power: sympy.Expr  # P, power of the pins and of the given forces, W
+    dissipated_power: sympy.Expr  # D, power that dampers and viscous friction take, W
+    # S, power that contacts, dry frictions and structures take, W; a contact may give some of it back
     contact_power: sympy.Expr
-    residual: sympy.Expr
+    residual: sympy.Expr  # dE/dt − P + D + S, W; zero when the balance holds
 
     @property
     def holds(self) -> bool:

@@ -14,15 +14,11 @@ from derivations.equations_of_motion import MotionMatrices
 
 @dataclass(frozen=True)
 class StateSpace:
-    """Matrices of ẋ = A x + B w with the state x = (q, q̇), for n bodies; SI units.
+    """Matrices of ẋ = A x + B w with the state x = (q, q̇), for n bodies; SI units."""
 
-    Attributes:
-        a: A, 2n × 2n.
-        b: B, with a column for each input in the order of ``MotionMatrices.input_forces``; with one pin
-            alone 2n × 2, for its displacement u and its velocity.
-    """
-
-    a: sympy.ImmutableMatrix
+    a: sympy.ImmutableMatrix  # A, 2n × 2n
+    # B, with a column for each input in the order of ``MotionMatrices.input_forces``; with one pin alone 2n ×
+    # 2, for its displacement u and its velocity
     b: sympy.ImmutableMatrix
 
 

@@ -13,35 +13,21 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Formula:
-    """A displayed equation.
+    """A displayed equation."""
 
-    Attributes:
-        latex: The equation in LaTeX, without delimiters.
-        thesis: Its number in the thesis; empty where it has none.
-        words: Prose before it, one paragraph; empty where it follows the formula above.
-    """
-
-    latex: str
-    thesis: str = ""
-    words: str = ""
+    latex: str  # The equation in LaTeX, without delimiters
+    thesis: str = ""  # Its number in the thesis; empty where it has none
+    words: str = ""  # Prose before it, one paragraph; empty where it follows the formula above
 
 
 @dataclass(frozen=True)
 class NarrativeStep:
-    """A step of a derivation.
+    """A step of a derivation."""
 
-    Attributes:
-        id: Identifier, unique among all steps.
-        title: Heading, plain text.
-        text: Prose, paragraphs separated by an empty line.
-        formulas: Displayed equations, shown after the prose.
-        code: The functions that do what the step says, in the order of the step.
-        long: Whether the formulas are so long that a reader asks for them first.
-    """
-
-    id: str
-    title: str
-    text: str
-    formulas: tuple[Formula, ...]
+    id: str  # Identifier, unique among all steps
+    title: str  # Heading, plain text
+    text: str  # Prose, paragraphs separated by an empty line
+    formulas: tuple[Formula, ...]  # Displayed equations, shown after the prose
+    # The functions that do what the step says, in the order of the step
     code: tuple[Callable[..., Any], ...] = ()
-    long: bool = False
+    long: bool = False  # Whether the formulas are so long that a reader asks for them first

@@ -11,15 +11,10 @@ from derivations.dimensions import FORCE, LENGTH, MASS, NUMBER, TIME, Dimension
 
 @dataclass(frozen=True)
 class Unit:
-    """An SI unit.
+    """An SI unit."""
 
-    Attributes:
-        text: How it is written.
-        dimension: Its dimension.
-    """
-
-    text: str
-    dimension: Dimension
+    text: str  # How it is written
+    dimension: Dimension  # Its dimension
 
 
 KILOGRAM = Unit("kg", MASS)
@@ -50,17 +45,11 @@ ONE = Unit("1", NUMBER)
 
 @dataclass(frozen=True)
 class Quantity:
-    """A symbol of the derivations, or a function of time.
+    """A symbol of the derivations, or a function of time."""
 
-    Attributes:
-        symbol: The symbol or function.
-        meaning: What it stands for, in words.
-        unit: Its SI unit.
-    """
-
-    symbol: sympy.Expr
-    meaning: str
-    unit: Unit
+    symbol: sympy.Expr  # The symbol or function
+    meaning: str  # What it stands for, in words
+    unit: Unit  # Its SI unit
 
 
 def _coordinate(name: str) -> sympy.Expr:

@@ -14,18 +14,15 @@ from derivations.symbols import s
 
 @dataclass(frozen=True)
 class TransferFunctions:
-    """Transfer functions from the pin to each of the n displacements, over one common denominator.
+    """Transfer functions from the pin to each of the n displacements, over one common denominator."""
 
-    Attributes:
-        denominator: The 2n + 1 coefficients of det(M s² + C s + K) / det M, from s^2n down to s^0; that of
-            s^(2n-k) in (rad/s)^k.
-        from_displacement: For each of the n bodies the 2n - 1 coefficients of its numerator, from s^(2n-2)
-            down to s^0, with the displacement of the pin as the input; that of s^(2n-2-k) in (rad/s)^(k+2).
-        from_velocity: The same with the velocity of the pin as a separate input, in (rad/s)^(k+1).
-    """
-
+    # The 2n + 1 coefficients of det(M s² + C s + K) / det M, from s^2n down to s^0; that of s^(2n-k) in
+    # (rad/s)^k
     denominator: tuple[sympy.Expr, ...]
+    # For each of the n bodies the 2n - 1 coefficients of its numerator, from s^(2n-2) down to s^0, with the
+    # displacement of the pin as the input; that of s^(2n-2-k) in (rad/s)^(k+2)
     from_displacement: tuple[tuple[sympy.Expr, ...], ...]
+    # The same with the velocity of the pin as a separate input, in (rad/s)^(k+1)
     from_velocity: tuple[tuple[sympy.Expr, ...], ...]
 
 

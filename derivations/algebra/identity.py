@@ -27,17 +27,11 @@ _CIRCULAR = (sympy.sin, sympy.cos, sympy.exp)
 
 @dataclass(frozen=True)
 class IdentityProof:
-    """Outcome of the attempt to prove an identity.
+    """Outcome of the attempt to prove an identity."""
 
-    Attributes:
-        holds: Whether both sides are equal, as far as it was settled.
-        method: How it was settled, in words.
-        sampled: Whether it rests on evaluation at random points alone, which is no proof.
-    """
-
-    holds: bool
-    method: str
-    sampled: bool = False
+    holds: bool  # Whether both sides are equal, as far as it was settled
+    method: str  # How it was settled, in words
+    sampled: bool = False  # Whether it rests on evaluation at random points alone, which is no proof
 
 
 class UnprovenError(ValueError):

@@ -13,34 +13,21 @@ STATES = 2
 
 @dataclass(frozen=True)
 class GeneralSystem:
-    """ẋ = A x + B u, y = C x + D u with symbolic entries: two states, one input, one output.
+    """ẋ = A x + B u, y = C x + D u with symbolic entries: two states, one input, one output."""
 
-    Attributes:
-        a: A, 2 × 2.
-        b: B, 2 × 1.
-        c: C, 1 × 2.
-        d: D, a scalar.
-        input_transform: Laplace transform U of the input.
-    """
-
-    a: sympy.ImmutableMatrix
-    b: sympy.ImmutableMatrix
-    c: sympy.ImmutableMatrix
-    d: sympy.Symbol
-    input_transform: sympy.Symbol
+    a: sympy.ImmutableMatrix  # A, 2 × 2
+    b: sympy.ImmutableMatrix  # B, 2 × 1
+    c: sympy.ImmutableMatrix  # C, 1 × 2
+    d: sympy.Symbol  # D, a scalar
+    input_transform: sympy.Symbol  # Laplace transform U of the input
 
 
 @dataclass(frozen=True)
 class TransformedSystem:
-    """Response of a system that starts at rest, in the Laplace domain.
+    """Response of a system that starts at rest, in the Laplace domain."""
 
-    Attributes:
-        state: Transform of the state, 2 × 1.
-        output: Transform of the output, a scalar.
-    """
-
-    state: sympy.ImmutableMatrix
-    output: sympy.Expr
+    state: sympy.ImmutableMatrix  # Transform of the state, 2 × 1
+    output: sympy.Expr  # Transform of the output, a scalar
 
 
 def general_system() -> GeneralSystem:

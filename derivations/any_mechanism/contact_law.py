@@ -19,21 +19,13 @@ from derivations.symbols import t
 
 @dataclass(frozen=True)
 class ContactStatement:
-    """The law of one contact.
+    """The law of one contact."""
 
-    Attributes:
-        contact: The contact.
-        distance: s in the coordinates of bodies and pins, m.
-        stretch: z as a function of s, m; None where z is a state of its own, or is not used.
-        stretch_rate: ż as a function of s, ṡ and z, m/s; None where z is no state.
-        tension: T, N, as a function of s and ṡ, or of z and ż.
-    """
-
-    contact: Contact
-    distance: sympy.Expr
-    stretch: sympy.Expr | None
-    stretch_rate: sympy.Expr | None
-    tension: sympy.Expr
+    contact: Contact  # The contact
+    distance: sympy.Expr  # s in the coordinates of bodies and pins, m
+    stretch: sympy.Expr | None  # z as a function of s, m; None where z is a state of its own, or is not used
+    stretch_rate: sympy.Expr | None  # ż as a function of s, ṡ and z, m/s; None where z is no state
+    tension: sympy.Expr  # T, N, as a function of s and ṡ, or of z and ż
 
     @property
     def has_stretch(self) -> bool:

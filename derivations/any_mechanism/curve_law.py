@@ -14,17 +14,11 @@ from derivations.parts import CurvedSpring, Points
 
 @dataclass(frozen=True)
 class CurveStatement:
-    """The law of one spring with a curve.
+    """The law of one spring with a curve."""
 
-    Attributes:
-        spring: The spring.
-        distance: s in the coordinates of bodies and pins, m.
-        tension: T, N, as a function of s.
-    """
-
-    spring: CurvedSpring
-    distance: sympy.Expr
-    tension: sympy.Expr
+    spring: CurvedSpring  # The spring
+    distance: sympy.Expr  # s in the coordinates of bodies and pins, m
+    tension: sympy.Expr  # T, N, as a function of s
 
 
 def curve_statement(spring: CurvedSpring) -> CurveStatement:

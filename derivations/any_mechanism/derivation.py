@@ -15,23 +15,14 @@ from derivations.parts import Contact, CurvedSpring, Wall
 
 @dataclass(frozen=True)
 class MechanismDerivation:
-    """All that follows from a declared mechanism.
+    """All that follows from a declared mechanism."""
 
-    Attributes:
-        motion: With the tensions of contacts and the dry forces of frictions as they come.
-        closed: With every contact closed; the same as ``motion`` where there is none.
-        contacts: The law of each contact.
-        frictions: The law of each friction.
-        curves: The law of each spring with a curve.
-        walls: The law of each wall.
-    """
-
-    motion: SymbolicMotion
-    closed: SymbolicMotion
-    contacts: tuple[ContactStatement, ...]
-    frictions: tuple[FrictionStatement, ...]
-    curves: tuple[CurveStatement, ...]
-    walls: tuple[WallStatement, ...]
+    motion: SymbolicMotion  # With the tensions of contacts and the dry forces of frictions as they come
+    closed: SymbolicMotion  # With every contact closed; the same as ``motion`` where there is none
+    contacts: tuple[ContactStatement, ...]  # The law of each contact
+    frictions: tuple[FrictionStatement, ...]  # The law of each friction
+    curves: tuple[CurveStatement, ...]  # The law of each spring with a curve
+    walls: tuple[WallStatement, ...]  # The law of each wall
 
     @property
     def mechanism(self) -> Mechanism:

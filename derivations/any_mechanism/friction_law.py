@@ -14,21 +14,13 @@ from derivations.parts import Friction
 
 @dataclass(frozen=True)
 class FrictionStatement:
-    """The law of one friction.
+    """The law of one friction."""
 
-    Attributes:
-        friction: The friction.
-        rate: v in the velocities of bodies and pins, m/s.
-        sliding: Dry force f while v is not zero, N.
-        held: Force f that keeps v at zero, N; None where no body is free to take part.
-        stick: What holds in stick: v = 0, and the force is at most the static one.
-    """
-
-    friction: Friction
-    rate: sympy.Expr
-    sliding: sympy.Expr
-    held: sympy.Expr | None
-    stick: sympy.Basic
+    friction: Friction  # The friction
+    rate: sympy.Expr  # v in the velocities of bodies and pins, m/s
+    sliding: sympy.Expr  # Dry force f while v is not zero, N
+    held: sympy.Expr | None  # Force f that keeps v at zero, N; None where no body is free to take part
+    stick: sympy.Basic  # What holds in stick: v = 0, and the force is at most the static one
 
 
 def friction_statement(mechanism: Mechanism, friction: Friction) -> FrictionStatement:

@@ -15,19 +15,13 @@ Entries = tuple[sympy.Expr, ...] | tuple[tuple[sympy.Expr, ...], ...]
 
 @dataclass(frozen=True)
 class NumericFunction:
-    """A function to generate, whose arguments are the parameters of a mechanism.
+    """A function to generate, whose arguments are the parameters of a mechanism."""
 
-    Attributes:
-        name: Name of the function.
-        documentation: Its docstring, one line.
-        entries: Derived entries that it returns: a row, or rows of a matrix.
-        sibling: A function before it in the module; if this one is that with another symbol in the place of
-            one, it calls it.
-    """
-
-    name: str
-    documentation: str
-    entries: Entries
+    name: str  # Name of the function
+    documentation: str  # Its docstring, one line
+    entries: Entries  # Derived entries that it returns: a row, or rows of a matrix
+    # A function before it in the module; if this one is that with another symbol in the place of one, it
+    # calls it
     sibling: NumericFunction | None = None
 
     @property

@@ -15,23 +15,14 @@ from derivations.symbols import t
 
 @dataclass(frozen=True)
 class WallStatement:
-    """The law of one wall.
+    """The law of one wall."""
 
-    Attributes:
-        wall: The wall.
-        distance: s in the coordinates of bodies and pins, m.
-        mobility: Relative acceleration of the ends by a force of 1 N between them, 1/kg: w M⁻¹ wᵀ.
-        impulse: P on both ends where the gap is reached, N s, by the rate ṡ before.
-        changes: By how much the velocity of each body changes, m/s.
-        held: Force T with which s̈ = 0, N.
-    """
-
-    wall: Wall
-    distance: sympy.Expr
-    mobility: sympy.Expr
-    impulse: sympy.Expr
-    changes: tuple[sympy.Expr, ...]
-    held: sympy.Expr
+    wall: Wall  # The wall
+    distance: sympy.Expr  # s in the coordinates of bodies and pins, m
+    mobility: sympy.Expr  # Relative acceleration of the ends by a force of 1 N between them, 1/kg: w M⁻¹ wᵀ
+    impulse: sympy.Expr  # P on both ends where the gap is reached, N s, by the rate ṡ before
+    changes: tuple[sympy.Expr, ...]  # By how much the velocity of each body changes, m/s
+    held: sympy.Expr  # Force T with which s̈ = 0, N
 
 
 def wall_statement(mechanism: Mechanism, wall: Wall) -> WallStatement:

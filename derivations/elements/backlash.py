@@ -16,8 +16,7 @@ import sympy
 from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import A
 
-GAP = sympy.Symbol("g", positive=True)
-"""Total clearance, m."""
+GAP = sympy.Symbol("g", positive=True)  # Total clearance, m
 GAMMA = sympy.Symbol("gamma", positive=True)
 """M ω / D, a number: angular frequency times the load's time constant."""
 CONTACT = sympy.Symbol("phi_c", positive=True)
@@ -131,17 +130,11 @@ def inertia_contact_ratio() -> sympy.Expr:
 
 @dataclass(frozen=True)
 class LoadLimit:
-    """Limits of the general element for M/D → 0 or M/D → ∞.
+    """Limits of the general element for M/D → 0 or M/D → ∞."""
 
-    Attributes:
-        separation: Phase of separation, rad.
-        ratio: g/A as a function of the angle of flight τ.
-        flight: Position at the angle τ after separation, m.
-    """
-
-    separation: sympy.Expr
-    ratio: sympy.Expr
-    flight: sympy.Expr
+    separation: sympy.Expr  # Phase of separation, rad
+    ratio: sympy.Expr  # g/A as a function of the angle of flight τ
+    flight: sympy.Expr  # Position at the angle τ after separation, m
 
 
 @cache

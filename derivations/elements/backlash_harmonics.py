@@ -24,10 +24,8 @@ from derivations.elements.harmonics import odd_harmonic
 from derivations.elements.waveform import Segment, Waveform
 from derivations.symbols import A
 
-FLIGHT = sympy.Symbol("lambda", positive=True)
-"""Angle of free flight, rad."""
-CONTACT_ANGLE = sympy.Symbol("ell", positive=True)
-"""Angle of contact, π - λ, rad."""
+FLIGHT = sympy.Symbol("lambda", positive=True)  # Angle of free flight, rad
+CONTACT_ANGLE = sympy.Symbol("ell", positive=True)  # Angle of contact, π - λ, rad
 DECAY = sympy.Symbol("E", positive=True)
 """exp(-λ/γ): what is left at the impact of the load's velocity at separation."""
 IMPACT_VELOCITY = sympy.Symbol("v", positive=True)
@@ -46,15 +44,10 @@ DECAYED = (sympy.exp(-CONTACT / GAMMA), DECAY * sympy.exp(-SEPARATION / GAMMA))
 
 @dataclass(frozen=True)
 class SteadyMotion:
-    """The load's steady motion.
+    """The load's steady motion."""
 
-    Attributes:
-        waveform: Position of the load, m, over the period that begins at the separation.
-        separation: Phase of that separation, rad.
-    """
-
-    waveform: Waveform
-    separation: sympy.Expr
+    waveform: Waveform  # Position of the load, m, over the period that begins at the separation
+    separation: sympy.Expr  # Phase of that separation, rad
 
     @property
     def flight(self) -> Segment:

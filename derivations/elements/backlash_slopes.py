@@ -19,8 +19,7 @@ from derivations.elements.harmonics import evaluated
 from derivations.elements.waveform import THETA
 from derivations.symbols import A
 
-ELAPSED = sympy.Symbol("t", positive=True)
-"""Phase since separation, rad."""
+ELAPSED = sympy.Symbol("t", positive=True)  # Phase since separation, rad
 TANGENT = sin(SEPARATION) / cos(SEPARATION)
 AFTER_EVALUATION = ((exp(-FLIGHT / GAMMA), DECAY), *MEANINGS)
 """What symbols stand for where an integral over the flight has brought in exp(-λ/γ)."""
@@ -47,8 +46,7 @@ def _by_separation(expression: sympy.Expr) -> sympy.Expr:
     return expression.diff(SEPARATION) + decay * expression.diff(DECAY)
 
 
-LOG_GAMMA_BY_SEPARATION = -1 / (sin(SEPARATION) * cos(SEPARATION))
-"""d(ln γ)/dφ_s for γ = cot φ_s."""
+LOG_GAMMA_BY_SEPARATION = -1 / (sin(SEPARATION) * cos(SEPARATION))  # d(ln γ)/dφ_s for γ = cot φ_s
 
 
 def relative_velocity() -> sympy.Expr:

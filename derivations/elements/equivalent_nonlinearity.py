@@ -40,17 +40,11 @@ def friction_term() -> sympy.Expr:
 
 @dataclass(frozen=True)
 class UnitsCheck:
-    """Dimensions of the two terms of the equivalent nonlinearity; None for a term that is zero.
+    """Dimensions of the two terms of the equivalent nonlinearity; None for a term that is zero."""
 
-    Attributes:
-        backlash: Of N_r.
-        friction: Of N_f/G_g as it stands.
-        over_stiffness: Of N_f/G_g over a stiffness.
-    """
-
-    backlash: Dimension | None
-    friction: Dimension | None
-    over_stiffness: Dimension | None
+    backlash: Dimension | None  # Of N_r
+    friction: Dimension | None  # Of N_f/G_g as it stands
+    over_stiffness: Dimension | None  # Of N_f/G_g over a stiffness
 
     def require_sum(self) -> None:
         """Check that friction can be added to backlash over a stiffness, and not as it stands.

@@ -9,12 +9,9 @@ import sympy
 from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import A, omega
 
-FORCE = sympy.Symbol("F_c", positive=True)
-"""Coulomb friction force, N."""
-LEVEL = sympy.Symbol("L", positive=True)
-"""Output of a relay, in the unit of its output."""
-DAMPING = sympy.Symbol("d", positive=True)
-"""Coefficient of viscous friction, N s/m."""
+FORCE = sympy.Symbol("F_c", positive=True)  # Coulomb friction force, N
+LEVEL = sympy.Symbol("L", positive=True)  # Output of a relay, in the unit of its output
+DAMPING = sympy.Symbol("d", positive=True)  # Coefficient of viscous friction, N s/m
 
 
 def relay_waveform(level: sympy.Expr = FORCE) -> Waveform:

@@ -28,18 +28,14 @@ from derivations.symbols import t
 
 @dataclass(frozen=True)
 class IncrementalDissipation:
-    """What the proof rests on.
+    """What the proof rests on."""
 
-    Attributes:
-        residual: dE/dt plus the two losses, W; zero along any two motions with the same pin.
-        leading_minors: Leading principal minors of the matrices of mass (kg), damping (N s/m) and stiffness
-            (N/m), expanded; those of order k in the k-th power of the unit.
-        friction_losses: (f_a - f_b)(w_a - w_b) over the force F_c, m/s, for every pair of directions of
-            sliding and for sticking; their symbols are positive.
-    """
-
-    residual: sympy.Expr
+    residual: sympy.Expr  # dE/dt plus the two losses, W; zero along any two motions with the same pin
+    # Leading principal minors of the matrices of mass (kg), damping (N s/m) and stiffness (N/m), expanded;
+    # those of order k in the k-th power of the unit
     leading_minors: tuple[sympy.Expr, ...]
+    # (f_a - f_b)(w_a - w_b) over the force F_c, m/s, for every pair of directions of sliding and for
+    # sticking; their symbols are positive
     friction_losses: tuple[sympy.Expr, ...]
 
     @property

@@ -21,23 +21,15 @@ Substitutions = tuple[tuple[sympy.Expr, sympy.Expr], ...]
 
 @dataclass(frozen=True)
 class Equality:
-    """A closed form and what it has to equal.
+    """A closed form and what it has to equal."""
 
-    Attributes:
-        name: LaTeX of the left side.
-        closed: The closed form, the right side as it is shown.
-        derived: The expression that it has to equal, as it follows from the waveform.
-        thesis: Number of the equation in the thesis, empty where it has none.
-        given: What symbols stand for; substituted on both sides, in order, before they are compared.
-        words: Prose before it; empty where it follows the line above.
-    """
-
-    name: str
-    closed: sympy.Expr
-    derived: sympy.Expr
-    thesis: str = ""
+    name: str  # LaTeX of the left side
+    closed: sympy.Expr  # The closed form, the right side as it is shown
+    derived: sympy.Expr  # The expression that it has to equal, as it follows from the waveform
+    thesis: str = ""  # Number of the equation in the thesis, empty where it has none
+    # What symbols stand for; substituted on both sides, in order, before they are compared
     given: Substitutions = ()
-    words: str = ""
+    words: str = ""  # Prose before it; empty where it follows the line above
 
     def prove(self) -> IdentityProof:
         """Prove that the closed form is what was derived, after all integrals are evaluated.
@@ -106,21 +98,14 @@ def cases(name: str, segments: tuple[Segment, ...], thesis: str = "") -> Formula
 
 @dataclass(frozen=True)
 class ProvenStep:
-    """A step with its results still to be proven.
+    """A step with its results still to be proven."""
 
-    Attributes:
-        id: Identifier, unique among all steps.
-        title: Heading.
-        text: Prose, paragraphs separated by an empty line.
-        lines: Definitions as formulas and results as equalities, in the order in which they are shown.
-        code: The functions that do what the step says.
-    """
-
-    id: str
-    title: str
-    text: str
+    id: str  # Identifier, unique among all steps
+    title: str  # Heading
+    text: str  # Prose, paragraphs separated by an empty line
+    # Definitions as formulas and results as equalities, in the order in which they are shown
     lines: tuple[Formula | Equality, ...]
-    code: tuple[Callable[..., Any], ...] = ()
+    code: tuple[Callable[..., Any], ...] = ()  # The functions that do what the step says
 
     @property
     def equalities(self) -> tuple[Equality, ...]:

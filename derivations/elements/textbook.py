@@ -15,18 +15,13 @@ from derivations.elements.harmonics import HARMONIC
 from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import METRE, ONE, RADIAN, A, Quantity
 
-SLOPE = sympy.Symbol("kappa", positive=True)
-"""Output per input on the inclined part."""
-CORNER = sympy.Symbol("alpha", positive=True)
-"""Phase at which the rising input passes the threshold, rad."""
+SLOPE = sympy.Symbol("kappa", positive=True)  # Output per input on the inclined part
+CORNER = sympy.Symbol("alpha", positive=True)  # Phase at which the rising input passes the threshold, rad
 FALL = sympy.Symbol("rho", real=True)
 """How long before the input's zero the falling output of a relay switches, rad; negative after it."""
-RATIO = sympy.Symbol("u", positive=True)
-"""Threshold over amplitude."""
-FALL_RATIO = sympy.Symbol("r", real=True)
-"""Threshold of the falling output over that of the rising one."""
-THRESHOLD = sympy.Symbol("Delta", positive=True)
-"""Threshold, in the unit of the input."""
+RATIO = sympy.Symbol("u", positive=True)  # Threshold over amplitude
+FALL_RATIO = sympy.Symbol("r", real=True)  # Threshold of the falling output over that of the rising one
+THRESHOLD = sympy.Symbol("Delta", positive=True)  # Threshold, in the unit of the input
 
 TEXTBOOK_QUANTITIES = (
     Quantity(SLOPE, "slope of an element, output per input", ONE),
@@ -36,8 +31,7 @@ TEXTBOOK_QUANTITIES = (
     Quantity(FALL_RATIO, "threshold of the falling output over that of the rising one", ONE),
     Quantity(THRESHOLD, "threshold", METRE),
 )
-HELD = A * sin(CORNER)
-"""The threshold, by the phase at which the input passes it."""
+HELD = A * sin(CORNER)  # The threshold, by the phase at which the input passes it
 
 
 def four_parts(inside: sympy.Expr, beyond: sympy.Expr) -> Waveform:

@@ -7,23 +7,16 @@ from functools import cache
 
 import sympy
 
-THETA = sympy.Symbol("theta", real=True)
-"""Phase of the input A sin θ, rad."""
+THETA = sympy.Symbol("theta", real=True)  # Phase of the input A sin θ, rad
 
 
 @dataclass(frozen=True)
 class Segment:
-    """The output between two phases.
+    """The output between two phases."""
 
-    Attributes:
-        start: First phase, rad.
-        end: Last phase, rad.
-        value: The output as an expression in ``THETA``, in its own unit.
-    """
-
-    start: sympy.Expr
-    end: sympy.Expr
-    value: sympy.Expr
+    start: sympy.Expr  # First phase, rad
+    end: sympy.Expr  # Last phase, rad
+    value: sympy.Expr  # The output as an expression in ``THETA``, in its own unit
 
     def position(self, phase: sympy.Expr) -> sympy.Expr:
         """Return the output at a phase, rad."""
@@ -32,13 +25,9 @@ class Segment:
 
 @dataclass(frozen=True)
 class Waveform:
-    """A periodic output.
+    """A periodic output."""
 
-    Attributes:
-        segments: Follow one another over a whole period of 2π.
-    """
-
-    segments: tuple[Segment, ...]
+    segments: tuple[Segment, ...]  # Follow one another over a whole period of 2π
 
     def jumps(self) -> tuple[sympy.Expr, ...]:
         """Return by how much the output jumps where one segment ends and the next begins, simplified."""

@@ -29,27 +29,16 @@ from trimmer import TrimmerParameters
 
 @dataclass(frozen=True)
 class Parts:
-    """What a report is put together from, beside the inventory.
+    """What a report is put together from, beside the inventory."""
 
-    Attributes:
-        findings: One for each claim, in the order of the inventory.
-        figures: The redrawn figures, in the order of the thesis.
-        trimmer_steps: The derivation of the linear trimmer.
-        element_steps: The derivation of the describing functions.
-        number_steps: From the equations to numbers.
-        pictures: Of the waveforms, by the ids of their steps.
-        programs: The corrected listings.
-        extras: The chapters beside those of the thesis, by the names of their fields.
-    """
-
-    findings: tuple[Finding, ...]
-    figures: tuple[Figure, ...]
-    trimmer_steps: tuple[StepWithLines, ...]
-    element_steps: tuple[StepWithLines, ...]
-    number_steps: tuple[StepWithLines, ...]
-    pictures: Mapping[str, Figure]
-    programs: tuple[Program, ...]
-    extras: Mapping[str, Any]
+    findings: tuple[Finding, ...]  # One for each claim, in the order of the inventory
+    figures: tuple[Figure, ...]  # The redrawn figures, in the order of the thesis
+    trimmer_steps: tuple[StepWithLines, ...]  # The derivation of the linear trimmer
+    element_steps: tuple[StepWithLines, ...]  # The derivation of the describing functions
+    number_steps: tuple[StepWithLines, ...]  # From the equations to numbers
+    pictures: Mapping[str, Figure]  # Of the waveforms, by the ids of their steps
+    programs: tuple[Program, ...]  # The corrected listings
+    extras: Mapping[str, Any]  # The chapters beside those of the thesis, by the names of their fields
 
 
 def assemble(parts: Parts, parameters: TrimmerParameters, inventory: Mapping[str, Statement]) -> Document:

@@ -24,11 +24,9 @@ from report.rendering.selection import select
 from trimmer.files import write_atomically
 
 LOG = "build.log"
-CACHE = ".cache"
-"""Folder of what is kept for the next build, in the report's."""
+CACHE = ".cache"  # Folder of what is kept for the next build, in the report's
 CONTENT = "content"
-OCTAVE = "octave"
-"""Folder of the corrected listings, in the report's."""
+OCTAVE = "octave"  # Folder of the corrected listings, in the report's
 
 
 Content = Callable[[Progress, StageStore], Document]

@@ -21,15 +21,11 @@ class ClaimIdError(RecordError):
 
 @dataclass(frozen=True)
 class Records:
-    """All claims and figures.
+    """All claims and figures."""
 
-    Attributes:
-        claims: Those of each module, by its name, in the order in which they stand in it.
-        figures: In the order of the inventory.
-    """
-
+    # Those of each module, by its name, in the order in which they stand in it
     claims: Mapping[str, tuple[ClaimRecord, ...]]
-    figures: tuple[FigureRecord, ...]
+    figures: tuple[FigureRecord, ...]  # In the order of the inventory
 
     @property
     def by_id(self) -> dict[str, ClaimRecord]:

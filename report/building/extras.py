@@ -18,16 +18,11 @@ from report.twin.chapter import twin_chapter
 @final
 @dataclass(frozen=True)
 class Extra:
-    """How an extra chapter is made.
+    """How an extra chapter is made."""
 
-    Attributes:
-        name: Of its field in the document.
-        module: Whose sources it depends on, beside those of the evidence.
-        make: Makes it of what was solved, and of a seed where something is drawn at random.
-    """
-
-    name: str
-    module: str
+    name: str  # Of its field in the document
+    module: str  # Whose sources it depends on, beside those of the evidence
+    # Makes it of what was solved, and of a seed where something is drawn at random
     make: Callable[[Evidence, int], ExtraChapter]
 
 

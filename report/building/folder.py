@@ -22,8 +22,7 @@ from trimmer.messages import did_you_mean, listed, near_words, shown_value
 
 DESCRIPTION: Final = "judge.toml"
 INVENTORY: Final = "inventory.csv"
-PACKAGE: Final = "judged"
-"""Name under which the modules of the folder are imported."""
+PACKAGE: Final = "judged"  # Name under which the modules of the folder are imported
 _KEYS: Final = ("title", "called", "text", "sections")
 _ID: Final = re.compile(r"[A-Za-z][\w.:-]*", re.ASCII)
 _PICTURE: Final = re.compile(r"!\[[^]]*\]\(([^)\s]+)\)")
@@ -37,23 +36,14 @@ class FolderError(TrimmerError, ValueError):
 @final
 @dataclass(frozen=True)
 class JudgedFolder:
-    """A folder that was read; nothing in it has been run.
+    """A folder that was read; nothing in it has been run."""
 
-    Attributes:
-        path: The folder.
-        subject: What the report has to know of the text.
-        inventory: The statements by their ids.
-        sections: Numbers and titles of the sections.
-        text: What is known of the text.
-        copy: Its lines, which the page shows beside the cards.
-    """
-
-    path: Path
-    subject: Subject
-    inventory: Mapping[str, Statement]
-    sections: tuple[ThesisSection, ...]
-    text: TextCopy
-    copy: ReaderCopy
+    path: Path  # The folder
+    subject: Subject  # What the report has to know of the text
+    inventory: Mapping[str, Statement]  # The statements by their ids
+    sections: tuple[ThesisSection, ...]  # Numbers and titles of the sections
+    text: TextCopy  # What is known of the text
+    copy: ReaderCopy  # Its lines, which the page shows beside the cards
 
 
 def read_folder(path: Path) -> JudgedFolder:

@@ -31,8 +31,7 @@ from report.pages.provenance import provenance
 
 EVIDENCE: Final = "evidence"
 """Module whose ``gather``, if there is one, solves what all claims and figures are given."""
-NOTE: Final = 4096
-"""Bytes of the note on what is under way."""
+NOTE: Final = 4096  # Bytes of the note on what is under way
 
 
 def folder_content(folder: JudgedFolder, progress: Progress, _: StageStore) -> Document:

@@ -13,19 +13,12 @@ from report.cache.stage_store import StageStore
 
 @dataclass(frozen=True)
 class BuildTask:
-    """Work whose result is kept.
+    """Work whose result is kept."""
 
-    Attributes:
-        name: Unique; the result is kept in a file of this name.
-        stage: Stage of the build that it belongs to, for the log.
-        key: Digest of everything that the result depends on.
-        work: Does it; the result can be pickled and is not None.
-    """
-
-    name: str
-    stage: str
-    key: str
-    work: Callable[[], Any]
+    name: str  # Unique; the result is kept in a file of this name
+    stage: str  # Stage of the build that it belongs to, for the log
+    key: str  # Digest of everything that the result depends on
+    work: Callable[[], Any]  # Does it; the result can be pickled and is not None
 
 
 def done(tasks: Sequence[BuildTask], store: StageStore, progress: Progress) -> dict[str, Any]:

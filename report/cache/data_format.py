@@ -23,8 +23,7 @@ from report.cache import foreign_data
 from trimmer.mechanism.read_only import ReadOnly
 
 PACKAGES = ("derivations", "trimmer", "report")
-NUMERIC = "biufcUS"
-"""Kinds of arrays that hold numbers or text and no objects."""
+NUMERIC = "biufcUS"  # Kinds of arrays that hold numbers or text and no objects
 COLLECTIONS: Mapping[str, type] = {each.__name__: each for each in (tuple, list, set, frozenset)}
 
 

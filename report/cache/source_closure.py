@@ -17,8 +17,7 @@ from report.cache.stage_store import StageStore
 SUFFIXES = (".py", ".pyi")
 PACKAGES = ("derivations", "trimmer", "report")
 ROOT = Path(__file__).parents[2]
-IMPORTS = "imports"
-"""Name under which the imports of all sources are kept."""
+IMPORTS = "imports"  # Name under which the imports of all sources are kept
 
 Names = tuple[str, ...]
 NOTHING_KNOWN: Mapping[str, Names] = MappingProxyType({})
@@ -26,26 +25,17 @@ NOTHING_KNOWN: Mapping[str, Names] = MappingProxyType({})
 
 @dataclass(frozen=True)
 class SourceFile:
-    """A source file as it is now.
+    """A source file as it is now."""
 
-    Attributes:
-        digest: Of its content.
-        imports: Dotted names of the modules it imports, and of what it imports from them.
-    """
-
-    digest: str
-    imports: Names
+    digest: str  # Of its content
+    imports: Names  # Dotted names of the modules it imports, and of what it imports from them
 
 
 @dataclass(frozen=True)
 class SourceTree:
-    """All sources of the three packages.
+    """All sources of the three packages."""
 
-    Attributes:
-        sources: By path from the folder of the packages, with slashes.
-    """
-
-    sources: Mapping[str, SourceFile]
+    sources: Mapping[str, SourceFile]  # By path from the folder of the packages, with slashes
 
     @classmethod
     def read(cls, root: Path = ROOT, known: Mapping[str, Names] = NOTHING_KNOWN) -> Self:

@@ -18,23 +18,16 @@ Result = TypeVar("Result")
 SUFFIX = ".data"
 SUFFIXES = (SUFFIX, ".pickle")
 """Ends of kept files; those of earlier versions are never read, and go as the others do."""
-DAY = 86400.0
-"""Seconds of a day."""
+DAY = 86400.0  # Seconds of a day
 
 
 @dataclass(frozen=True)
 class Bounds:
-    """How much is kept.
+    """How much is kept."""
 
-    Attributes:
-        days: Days after which goes what was not used.
-        size: Bytes beyond which goes what was not used for longest.
-        grace: Days for which all that was used stays, as another run may be at it.
-    """
-
-    days: float = 30.0
-    size: int = 500_000_000
-    grace: float = 1.0
+    days: float = 30.0  # Days after which goes what was not used
+    size: int = 500_000_000  # Bytes beyond which goes what was not used for longest
+    grace: float = 1.0  # Days for which all that was used stays, as another run may be at it
 
 
 BOUNDS = Bounds()
@@ -42,13 +35,9 @@ BOUNDS = Bounds()
 
 @dataclass(frozen=True)
 class StageStore:
-    """A folder with one file per stage, each with the key under which its result was made.
+    """A folder with one file per stage, each with the key under which its result was made."""
 
-    Attributes:
-        folder: Where the files are.
-    """
-
-    folder: Path
+    folder: Path  # Where the files are
 
     def prepare(self) -> None:
         """Make the folder, so that it is told before any work if nothing can be kept.

@@ -15,10 +15,8 @@ from trimmer import LimitCycle, PeriodicOrbit, response_at
 from trimmer.elements import Element
 
 DIGITS = 30
-RELATIVE = 1e-12
-"""Accuracy of a numeric integral."""
-CLOSES = 1e-6
-"""Accuracy to which a loop closes with a sampled waveform or a sum of harmonics."""
+RELATIVE = 1e-12  # Accuracy of a numeric integral
+CLOSES = 1e-6  # Accuracy to which a loop closes with a sampled waveform or a sum of harmonics
 NEWTON = f"Newton's method in {DIGITS} digits"
 EXACTLY = "exact coefficients, 40 digits"
 TWO_DURATIONS = "the state at the impact and two durations, solved for with SciPy's matrix exponential"

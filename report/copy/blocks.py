@@ -36,8 +36,7 @@ CHAPTER = re.compile(r"(?:Chapter|Appendix) ([A-Z]|\d+)")
 SECTION = re.compile(r"([A-Z]|\d+)((?:\.\d+)+) +[A-Z]")
 PANEL = re.compile(r"\([a-z]\) [A-Z]")
 FOOTNOTE = re.compile(r"[\u00b9\u00b2\u00b3\u2070\u2074-\u2079]+\S")
-MOST_WORDS = 5
-"""A line of more words is no heading without a number."""
+MOST_WORDS = 5  # A line of more words is no heading without a number
 FENCE, DOLLARS = "```", "$$"
 
 

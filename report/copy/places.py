@@ -9,11 +9,9 @@ from functools import cached_property
 
 from report.copy.blocks import CAPTION, CHAPTER, SECTION, Block, BlockKind, blocks
 
-Range = tuple[int, int]
-"""First and last line, counted from 1."""
+Range = tuple[int, int]  # First and last line, counted from 1
 NUMBER = re.compile(r"(?:\\quad|\\tag\s*\{?)\s*\(?([A-E\d]+\.\d+)\)?\}?\s*\$*$")
-OPEN_END = re.compile(r"[a-z,-]$")
-"""How a paragraph ends that a page's end or a figure has parted."""
+OPEN_END = re.compile(r"[a-z,-]$")  # How a paragraph ends that a page's end or a figure has parted
 
 
 @dataclass(frozen=True)

@@ -24,17 +24,11 @@ class OtherCopyError(TrimmerError, ValueError):
 @final
 @dataclass(frozen=True)
 class ReaderCopy:
-    """The reader's own text copy.
+    """The reader's own text copy."""
 
-    Attributes:
-        lines: Of the text, without their ends.
-        sha256: Of the file's bytes, in hexadecimal digits.
-        is_judged: Whether it is the text that was judged, byte by byte.
-    """
-
-    lines: tuple[str, ...]
-    sha256: str
-    is_judged: bool
+    lines: tuple[str, ...]  # Of the text, without their ends
+    sha256: str  # Of the file's bytes, in hexadecimal digits
+    is_judged: bool  # Whether it is the text that was judged, byte by byte
 
     def passage(self, lines: tuple[int, int]) -> tuple[str, ...]:
         """Return the lines from the first to the last of a pair, as far as the copy has them."""

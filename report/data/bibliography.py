@@ -15,23 +15,14 @@ PATH = Path(__file__).with_name("bibliography.csv")
 @final
 @dataclass(frozen=True)
 class Work:
-    """A work.
+    """A work."""
 
-    Attributes:
-        name: Of its place in the report.
-        short: Who and when, as a text cites it.
-        authors: Of the work.
-        title: Of the work.
-        published: Where and when.
-        words: Pattern of the words with which a text speaks of its method.
-    """
-
-    name: str
-    short: str
-    authors: str
-    title: str
-    published: str
-    words: str
+    name: str  # Of its place in the report
+    short: str  # Who and when, as a text cites it
+    authors: str  # Of the work
+    title: str  # Of the work
+    published: str  # Where and when
+    words: str  # Pattern of the words with which a text speaks of its method
 
 
 @cache

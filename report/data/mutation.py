@@ -16,27 +16,16 @@ COUNTS = ("drawn", "equivalent", "claims", "tests", "nothing")
 
 @dataclass(frozen=True)
 class MutationMeasurement:
-    """How many changes of this program, made at random, were noticed.
+    """How many changes of this program, made at random, were noticed."""
 
-    Attributes:
-        date: When it was measured, year-month-day.
-        command: With what.
-        drawn: How many changes were made.
-        equivalent: How many of them have no effect.
-        claims: How many another verdict, or a check that stopped the report, has shown first.
-        tests: How many a test has shown first.
-        nothing: How many nothing has shown, of those with an effect.
-        interval: 95 % interval of the share that is noticed among those with an effect.
-    """
-
-    date: str
-    command: str
-    drawn: int
-    equivalent: int
-    claims: int
-    tests: int
-    nothing: int
-    interval: tuple[float, float]
+    date: str  # When it was measured, year-month-day
+    command: str  # With what
+    drawn: int  # How many changes were made
+    equivalent: int  # How many of them have no effect
+    claims: int  # How many another verdict, or a check that stopped the report, has shown first
+    tests: int  # How many a test has shown first
+    nothing: int  # How many nothing has shown, of those with an effect
+    interval: tuple[float, float]  # 95 % interval of the share that is noticed among those with an effect
 
     @property
     def noticed(self) -> int:

@@ -11,8 +11,7 @@ from report.judging.claim import Statement
 from report.judging.inventory import filed, read_statements
 from report.judging.spread import Follows, read_edges
 
-PATH = Path(__file__).parent / "inventory.csv"
-"""The statements that were handed over with the thesis."""
+PATH = Path(__file__).parent / "inventory.csv"  # The statements that were handed over with the thesis
 FURTHER = PATH.with_name("further_statements.csv")
 """Statements that the inventory lacks, found by reading the thesis again; same columns."""
 CLAIMS = PATH.with_name("claims.csv")

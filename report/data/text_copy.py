@@ -15,23 +15,14 @@ PATH = Path(__file__).parent / "thesis.toml"
 @final
 @dataclass(frozen=True)
 class TextCopy:
-    """What is known of the thesis and of the text that was read.
+    """What is known of the thesis and of the text that was read."""
 
-    Attributes:
-        sha256: Of the bytes of the text.
-        lines: How many it has.
-        title: Of the thesis, as the text has it.
-        kind: What the thesis calls itself.
-        institution: Where it was made, as far as the text says.
-        lacks: What a reader would look for and the text does not have.
-    """
-
-    sha256: str
-    lines: int
-    title: str = ""
-    kind: str = ""
-    institution: str = ""
-    lacks: tuple[str, ...] = ()
+    sha256: str  # Of the bytes of the text
+    lines: int  # How many it has
+    title: str = ""  # Of the thesis, as the text has it
+    kind: str = ""  # What the thesis calls itself
+    institution: str = ""  # Where it was made, as far as the text says
+    lacks: tuple[str, ...] = ()  # What a reader would look for and the text does not have
 
 
 def read_text_copy() -> TextCopy:

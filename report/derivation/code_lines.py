@@ -15,15 +15,10 @@ from report.pages.figure import CodeLines
 
 @dataclass(frozen=True)
 class StepWithLines:
-    """A step as it is kept: with the lines of its functions in place of the functions.
+    """A step as it is kept: with the lines of its functions in place of the functions."""
 
-    Attributes:
-        step: The step, without functions.
-        lines: Those of its functions, in their order.
-    """
-
-    step: NarrativeStep
-    lines: tuple[CodeLines, ...]
+    step: NarrativeStep  # The step, without functions
+    lines: tuple[CodeLines, ...]  # Those of its functions, in their order
 
 
 def with_lines(derived: Callable[..., Iterable[NarrativeStep]], *arguments: Any) -> tuple[StepWithLines, ...]:

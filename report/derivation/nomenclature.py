@@ -61,20 +61,13 @@ class NomenclatureError(TrimmerError, ValueError):
 
 @dataclass(frozen=True)
 class Entry:
-    """A line of the nomenclature before its place is found.
+    """A line of the nomenclature before its place is found."""
 
-    Attributes:
-        symbol: LaTeX.
-        meaning: In words.
-        unit: SI unit as plain text; empty where it depends on the place.
-        covers: The symbols as they stand in formulas that the line explains.
-        first: Id of the step or claim that has it first; empty where it is the first that holds the symbol.
-    """
-
-    symbol: str
-    meaning: str
-    unit: str
-    covers: frozenset[str]
+    symbol: str  # LaTeX
+    meaning: str  # In words
+    unit: str  # SI unit as plain text; empty where it depends on the place
+    covers: frozenset[str]  # The symbols as they stand in formulas that the line explains
+    # Id of the step or claim that has it first; empty where it is the first that holds the symbol
     first: str = ""
 
 

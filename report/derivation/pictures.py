@@ -29,15 +29,11 @@ from report.judging.text import one_line
 from report.pages.figure import Figure
 
 Values = dict[sympy.Expr, sympy.Expr]
-POINTS: Final = 33
-"""Points on each segment."""
+POINTS: Final = 33  # Points on each segment
 TITLE: Final = "Waveform, with the input and the first harmonic"
-RATIO: Final = sympy.Rational(6, 10)
-"""Gap over amplitude where the load has no inertia."""
-LOAD: Final = sympy.Rational(5, 4)
-"""γ of the general load."""
-IMPACT: Final = sympy.Rational(9, 4)
-"""Phase of the impact where the load has inertia, rad."""
+RATIO: Final = sympy.Rational(6, 10)  # Gap over amplitude where the load has no inertia
+LOAD: Final = sympy.Rational(5, 4)  # γ of the general load
+IMPACT: Final = sympy.Rational(9, 4)  # Phase of the impact where the load has inertia, rad
 
 
 def _values() -> dict[str, tuple[Waveform, Values]]:

@@ -13,8 +13,7 @@ import numpy as np
 from trimmer.arrays import Reals
 
 WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 480, 168, 34, 8, 130, 34
-ROOM: Final = 1.12
-"""Height of half of the plane over the largest value in it."""
+ROOM: Final = 1.12  # Height of half of the plane over the largest value in it
 ROUNDING: Final = 1e-9
 COLOURS: Final = {"input": "#555555", "output": "#0072b2", "harmonic": "#d55e00"}
 DASHES: Final = {"input": "3 3", "output": "none", "harmonic": "8 3"}

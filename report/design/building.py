@@ -28,21 +28,15 @@ class DesignInterruptedError(KeyboardInterrupt):
 
 MOST_PRINTED = 12
 """Coordinates of a mechanism up to which its equations are printed: those of 24 fill 30 pages."""
-CACHE = ".kept"
-"""Folder beside the report in which each step is kept as soon as it is done."""
+CACHE = ".kept"  # Folder beside the report in which each step is kept as soon as it is done
 
 
 @dataclass(frozen=True)
 class ReportPlace:
-    """Where a report is written.
+    """Where a report is written."""
 
-    Attributes:
-        directory: Its folder.
-        stem: Name of its files without their ends.
-    """
-
-    directory: Path
-    stem: str
+    directory: Path  # Its folder
+    stem: str  # Name of its files without their ends
 
     @property
     def store(self) -> StageStore:

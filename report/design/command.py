@@ -29,8 +29,7 @@ if TYPE_CHECKING:
 
 KINDS = {Format.HTML: HTML, Format.PDF: PDF}
 DIRECTORY = Path("build") / "design"
-BUDGET, SHORTEST = 180.0, 10.0
-"""Time for the work if none is given, and the least that may be given, s."""
+BUDGET, SHORTEST = 180.0, 10.0  # Time for the work if none is given, and the least that may be given, s
 
 
 def _configure(parser: ArgumentParser) -> None:

@@ -11,23 +11,16 @@ from report.pages.provenance import Provenance, provenance
 from trimmer.design.design_file import DesignFile
 from trimmer.source_date import source_date
 
-SHOWN_DIGITS = 12
-"""Digits of a file's hash below the title; the table at the end has all."""
+SHOWN_DIGITS = 12  # Digits of a file's hash below the title; the table at the end has all
 
 
 @dataclass(frozen=True)
 class Origin:
-    """What a report was made from.
+    """What a report was made from."""
 
-    Attributes:
-        date: ISO date of the day on which it was made, UTC.
-        files: Name, author and SHA-256 of each mechanism file.
-        provenance: The program and its libraries.
-    """
-
-    date: str
-    files: tuple[tuple[str, str, str], ...]
-    provenance: Provenance
+    date: str  # ISO date of the day on which it was made, UTC
+    files: tuple[tuple[str, str, str], ...]  # Name, author and SHA-256 of each mechanism file
+    provenance: Provenance  # The program and its libraries
 
     @property
     def line(self) -> str:

@@ -30,8 +30,7 @@ from trimmer.mechanism.kinds import Kind
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind
 
-MEASURES = 4
-"""Measures whose influences are drawn."""
+MEASURES = 4  # Measures whose influences are drawn
 
 
 def pictures(design: Design) -> dict[str, Figure]:

@@ -14,8 +14,7 @@ from trimmer.design.design import Stage
 from trimmer.files import FileWriteError
 from trimmer.progress import is_silenced
 
-OFTEN = 5.0
-"""Time after which the same step is told of again where there is no terminal, s."""
+OFTEN = 5.0  # Time after which the same step is told of again where there is no terminal, s
 
 
 def minutes(seconds: float) -> str:
@@ -28,16 +27,12 @@ def minutes(seconds: float) -> str:
 class ProgressLines:
     """Tells each step on standard error, unless that is silenced, and in a log.
 
-    Attributes:
-        log: The log, which is begun anew; none if not given.
-        deadline: What time is left is told until then.
-
     Raises:
         FileWriteError: if the log cannot be written.
     """
 
-    log: Path | None = None
-    deadline: Deadline = NEVER
+    log: Path | None = None  # The log, which is begun anew; none if not given
+    deadline: Deadline = NEVER  # What time is left is told until then
     _begun: dict[tuple[Stage, tuple[str, ...]], float] = field(default_factory=dict)
     _last: float = 0.0
 

@@ -12,10 +12,8 @@ PREFIXES = ((1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9,
 LARGE_TOO = ("N", "N/m", "Hz", "W", "J", "N m", "N m/rad")
 """Units that take a prefix for large numbers too; a stroke of 2000 m is not one of 2 km."""
 PREFIXED = (*LARGE_TOO, "m", "s", "kg", "rad", "kg m²")
-FITS = 0.9995
-"""A prefix fits if the number is at least so many of it, so that 999.9 µm is written as 1 mm."""
-ROUND = ("N", "W", "J")
-"""Units of which a tenth is still written without a prefix, as 0.5 N."""
+FITS = 0.9995  # A prefix fits if the number is at least so many of it, so that 999.9 µm is written as 1 mm
+ROUND = ("N", "W", "J")  # Units of which a tenth is still written without a prefix, as 0.5 N
 
 
 @dataclass(frozen=True)

@@ -25,32 +25,21 @@ class SymbolRow:
 
 @dataclass(frozen=True)
 class Equations:
-    """The derivation of the mechanism.
+    """The derivation of the mechanism."""
 
-    Attributes:
-        first: Steps that a designer wants: equations with closed contact, laws of contact and friction.
-        rest: The other steps.
-        symbols: What the letters mean.
-    """
-
+    # Steps that a designer wants: equations with closed contact, laws of contact and friction
     first: tuple[DerivationStep, ...]
-    rest: tuple[DerivationStep, ...]
-    symbols: tuple[SymbolRow, ...]
+    rest: tuple[DerivationStep, ...]  # The other steps
+    symbols: tuple[SymbolRow, ...]  # What the letters mean
 
 
 @dataclass(frozen=True)
 class Report:
-    """What every report on designs has.
+    """What every report on designs has."""
 
-    Attributes:
-        title: Its title, plain text.
-        figures: By the names under which its text asks for them.
-        origin: What it was made from, and when.
-    """
-
-    title: str
-    figures: Mapping[str, Figure]
-    origin: Origin
+    title: str  # Its title, plain text
+    figures: Mapping[str, Figure]  # By the names under which its text asks for them
+    origin: Origin  # What it was made from, and when
 
     @property
     def subtitle(self) -> str:

@@ -21,27 +21,19 @@ from trimmer.messages import listed
 from trimmer.response.pace import DRIVE_PERIOD, period_word
 from trimmer.response.response import MotionKind
 
-LEVELS = 999
-"""Steps between the least and the largest value of a curve: finer than a line is wide."""
-DIGITS = 4
-"""Digits to which values are kept."""
+LEVELS = 999  # Steps between the least and the largest value of a curve: finer than a line is wide
+DIGITS = 4  # Digits to which values are kept
 NOT_HERE = "No motion could be followed here."
 ENDLESS = "The motion grows without bound here."
 
 
 @dataclass(frozen=True)
 class Sliders:
-    """What a reader can move.
+    """What a reader can move."""
 
-    Attributes:
-        script: The motions, as a constant of a script.
-        sliders: The numbers.
-        panels: What is drawn of each motion.
-    """
-
-    script: str
-    sliders: tuple[Slider, ...]
-    panels: tuple[Panel, ...]
+    script: str  # The motions, as a constant of a script
+    sliders: tuple[Slider, ...]  # The numbers
+    panels: tuple[Panel, ...]  # What is drawn of each motion
 
 
 def sliders(design: Design) -> Sliders:

@@ -37,10 +37,8 @@ from trimmer.response.pace import DRIVE_PERIOD
 
 Rows = list[list[str]]
 DASH = "—"
-ROUNDING = 1e-9
-"""Damping ratio that rounding can give an undamped mode."""
-ACTION_VALUE = 2.5
-"""Daily exposure action value, m/s²."""
+ROUNDING = 1e-9  # Damping ratio that rounding can give an undamped mode
+ACTION_VALUE = 2.5  # Daily exposure action value, m/s²
 
 
 def _value(number: float, unit: str = "", digits: int = 3) -> str:

@@ -32,8 +32,7 @@ COUNTS = (
     "eleven",
     "twelve",
 )
-FAR = 10.0
-"""Share of a bound beyond which it is not said how far it is away."""
+FAR = 10.0  # Share of a bound beyond which it is not said how far it is away
 SPECIAL = {
     SpecialKind.GRAZING: "an impact comes or goes",
     SpecialKind.STICK: "a phase of stick comes or goes",

@@ -8,23 +8,17 @@ from dataclasses import dataclass
 from math import inf
 from typing import Any, final
 
-NAME = "advice.json"
-"""Of the file, beside the report."""
+NAME = "advice.json"  # Of the file, beside the report
 
 
 @final
 @dataclass(frozen=True)
 class Bound:
-    """What a line of advice says of one measure.
+    """What a line of advice says of one measure."""
 
-    Attributes:
-        says: In words, plain text.
-        measure: A key of ``respond --json``, with dots.
-        at_most, at_least: Bounds of the measure, SI units; None where there is none.
-    """
-
-    says: str
-    measure: str
+    says: str  # In words, plain text
+    measure: str  # A key of ``respond --json``, with dots
+    # at_most, at_least: Bounds of the measure, SI units; None where there is none
     at_most: float | None = None
     at_least: float | None = None
 
@@ -44,27 +38,16 @@ class Bound:
 @final
 @dataclass(frozen=True)
 class Advice:
-    """What holds at every point of a box, of the motion that ``trimmer respond`` settles to from rest.
+    """What holds at every point of a box, of the motion that ``trimmer respond`` settles to from rest."""
 
-    Attributes:
-        id: Its name.
-        where: What to do or not to do, plain text.
-        scope: What else the box holds, as a sentence; the first screen says it once for all lines.
-        wanted: Whether it says what to do; otherwise what not to do.
-        fixed: Values of places, SI units, that the box does not vary.
-        over: Lowest and highest value of each place that it varies, SI units.
-        kinds: Words of the kinds of motion that may occur.
-        bounds: What holds there.
-    """
-
-    id: str
-    where: str
-    scope: str
-    wanted: bool
-    fixed: Mapping[str, float]
-    over: Mapping[str, tuple[float, float]]
-    kinds: tuple[str, ...]
-    bounds: tuple[Bound, ...]
+    id: str  # Its name
+    where: str  # What to do or not to do, plain text
+    scope: str  # What else the box holds, as a sentence; the first screen says it once for all lines
+    wanted: bool  # Whether it says what to do; otherwise what not to do
+    fixed: Mapping[str, float]  # Values of places, SI units, that the box does not vary
+    over: Mapping[str, tuple[float, float]]  # Lowest and highest value of each place that it varies, SI units
+    kinds: tuple[str, ...]  # Words of the kinds of motion that may occur
+    bounds: tuple[Bound, ...]  # What holds there
 
     @property
     def text(self) -> str:

@@ -117,23 +117,14 @@ class Matter:
 @final
 @dataclass(frozen=True)
 class Overview(ExtraChapter):
-    """The first screen, what changes a conclusion, the research questions, what is right and what not.
+    """The first screen, what changes a conclusion, the research questions, what is right and what not."""
 
-    Attributes:
-        opening: The first screen.
-        answers: To the research questions.
-        corrected: Corrected predictions.
-        roots: What changes a conclusion, by the slip it grows from.
-        matters: What is right beside what is not.
-        short: The thesis's loop, derived in short.
-    """
-
-    opening: Opening | None = None
-    answers: tuple[Answer, ...] = ()
-    corrected: tuple[CorrectedResult, ...] = ()
-    roots: tuple[Root, ...] = ()
-    matters: tuple[Matter, ...] = ()
-    short: tuple[DerivationStep, ...] = ()
+    opening: Opening | None = None  # The first screen
+    answers: tuple[Answer, ...] = ()  # To the research questions
+    corrected: tuple[CorrectedResult, ...] = ()  # Corrected predictions
+    roots: tuple[Root, ...] = ()  # What changes a conclusion, by the slip it grows from
+    matters: tuple[Matter, ...] = ()  # What is right beside what is not
+    short: tuple[DerivationStep, ...] = ()  # The thesis's loop, derived in short
 
     @property
     def figures(self) -> tuple[Figure, ...]:

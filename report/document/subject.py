@@ -12,33 +12,21 @@ from report.judging.verdict import Grade
 @final
 @dataclass(frozen=True)
 class Subject:
-    """A text that is judged.
+    """A text that is judged."""
 
-    Attributes:
-        title: Of the report.
-        called: What the report calls the text, a noun such as thesis or paper.
-        command: What makes the report again.
-        chapters: Their titles by number or letter, in their order.
-        claims: Name of the package whose modules judge the text.
-        records: Where these modules are, in words.
-        inventory: Which file has its statements and takes one more, in words.
-        meanings: What each grade says, as Markdown.
-        root: Folder below which the sources of claims are; a relative one is below that of this project.
-        cites: Whether its cards cite works of report/data/bibliography.csv whose methods they name.
-        by_machine: Whether a machine read it from pages, so that its drawings were not seen.
-    """
-
-    title: str
-    called: str
-    command: str
-    chapters: Mapping[str, str]
-    claims: str
-    records: str
-    inventory: str
-    meanings: Mapping[Grade, str]
+    title: str  # Of the report
+    called: str  # What the report calls the text, a noun such as thesis or paper
+    command: str  # What makes the report again
+    chapters: Mapping[str, str]  # Their titles by number or letter, in their order
+    claims: str  # Name of the package whose modules judge the text
+    records: str  # Where these modules are, in words
+    inventory: str  # Which file has its statements and takes one more, in words
+    meanings: Mapping[Grade, str]  # What each grade says, as Markdown
+    # Folder below which the sources of claims are; a relative one is below that of this project
     root: str = ""
+    # Whether its cards cite works of report/data/bibliography.csv whose methods they name
     cites: bool = False
-    by_machine: bool = False
+    by_machine: bool = False  # Whether a machine read it from pages, so that its drawings were not seen
 
     def file_of(self, module: str) -> str:
         """Name the file of a module of the package; another module keeps its name."""

@@ -27,24 +27,17 @@ from derivations.transfer_steps import output_numerator, rubbing_numerator
 
 SHARE = sympy.Symbol("share", nonnegative=True)
 """Share of the pin's velocity that acts on the bridge: 0 in the thesis's loop, 1 in the trimmer."""
-LOST = sympy.Symbol("lost", positive=True)
-"""1 - exp(-λ/γ), computed without cancellation."""
+LOST = sympy.Symbol("lost", positive=True)  # 1 - exp(-λ/γ), computed without cancellation
 
 
 @dataclass(frozen=True)
 class Function:
-    """A function of the page.
+    """A function of the page."""
 
-    Attributes:
-        name: Its name in the script.
-        arguments: Its arguments, in order.
-        results: What it returns, by name; real expressions in the arguments.
-        given: Quantities that the results share, with their expressions, in order.
-    """
-
-    name: str
-    arguments: tuple[sympy.Symbol, ...]
-    results: dict[str, sympy.Expr]
+    name: str  # Its name in the script
+    arguments: tuple[sympy.Symbol, ...]  # Its arguments, in order
+    results: dict[str, sympy.Expr]  # What it returns, by name; real expressions in the arguments
+    # Quantities that the results share, with their expressions, in order
     given: tuple[tuple[sympy.Symbol, sympy.Expr], ...] = ()
 
 

@@ -22,14 +22,11 @@ from report.pages.explorable import Panel, Slider
 from report.pages.figure import Figure
 from trimmer import LimitCycle, ViscousBacklash, limit_cycles, response_at
 
-GAP: Final = 2e-4
-"""Gap of the first view and of the picture, m: that of the driven simulations of the thesis."""
-TIME_CONSTANT: Final = 1e-3
-"""M/D of the first view and of the picture, s."""
+GAP: Final = 2e-4  # Gap of the first view and of the picture, m: that of the driven simulations of the thesis
+TIME_CONSTANT: Final = 1e-3  # M/D of the first view and of the picture, s
 WHOLE: Final = (-9.0, 9.0, -17.0, 2.0)
 NEAR: Final = (-1.6, 0.2, -0.6, 0.3)
-THINNED: Final = 4
-"""Of so many points of a curve one is drawn: the picture is small."""
+THINNED: Final = 4  # Of so many points of a curve one is drawn: the picture is small
 PERIOD: Final = (0.0, 2 * math.pi, -1.25, 1.25)
 
 

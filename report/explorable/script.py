@@ -8,8 +8,7 @@ import sympy
 
 from report.explorable.formulas import Function
 
-OWN = {"expm1": "Math.expm1"}
-"""Functions of JavaScript that SymPy's printer does not know."""
+OWN = {"expm1": "Math.expm1"}  # Functions of JavaScript that SymPy's printer does not know
 HEAD = "// Printed by SymPy from the derivation when the report was made; nothing here is written by hand.\n"
 
 

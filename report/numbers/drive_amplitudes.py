@@ -24,34 +24,22 @@ from trimmer.spectra.spectrum import amplitude_spectrum
 
 AMPLITUDES = (1.5e-6, 1.5e-4, DRIVE_AMPLITUDE, 1.5e-2, 1.5e-1)
 """Amplitudes of the drive in figure E.2, m, in rising order."""
-PERIODS, SAMPLES = 40, 2048
-"""Periods of the open loop from rest, and samples of a period."""
-SETTLING, RECORD = 0.5, 0.5
-"""Time before a record of the loop with a reference and its length, s."""
-SAMPLE_RATE = 10_000.0
-"""Hz; that record holds a whole number of periods of the reference."""
+PERIODS, SAMPLES = 40, 2048  # Periods of the open loop from rest, and samples of a period
+SETTLING, RECORD = 0.5, 0.5  # Time before a record of the loop with a reference and its length, s
+SAMPLE_RATE = 10_000.0  # Hz; that record holds a whole number of periods of the reference
 PEAKS = 6
-AWAY = 1.0
-"""Least distance of a line from every multiple of the reference's frequency, Hz."""
+AWAY = 1.0  # Least distance of a line from every multiple of the reference's frequency, Hz
 
 
 @dataclass(frozen=True, eq=False)
 class AmplitudeRun:
-    """The settled output for one amplitude of the drive.
+    """The settled output for one amplitude of the drive."""
 
-    Attributes:
-        amplitude: Of the pin, m.
-        phases: Of the pin over the last two periods, rad.
-        output: q2 - q4 there, m.
-        harmonics: Amplitude of the output at 0, 1, 2 ... times the drive's frequency, m.
-        ripple: Half of peak to peak of the output without its first harmonic, m.
-    """
-
-    amplitude: float
-    phases: Reals
-    output: Reals
-    harmonics: Reals
-    ripple: float
+    amplitude: float  # Of the pin, m
+    phases: Reals  # Of the pin over the last two periods, rad
+    output: Reals  # q2 - q4 there, m
+    harmonics: Reals  # Amplitude of the output at 0, 1, 2 ... times the drive's frequency, m.
+    ripple: float  # Half of peak to peak of the output without its first harmonic, m
 
 
 def solve_drive_amplitudes(system: control.StateSpace) -> tuple[AmplitudeRun, ...]:
@@ -93,38 +81,23 @@ def reference_loop(system: control.LTI, element: Element, reference: Drive) -> F
 
 @dataclass(frozen=True, eq=False)
 class ReferenceRun:
-    """One run with a reference of ``DRIVE_FREQUENCY``.
+    """One run with a reference of ``DRIVE_FREQUENCY``."""
 
-    Attributes:
-        amplitude: Of the reference, m.
-        largest: Largest |y| of the record, m.
-        base: Amplitude of y at the frequency of the reference, m.
-        frequency: Frequency of the largest line that is no multiple of the reference's, Hz; NaN for none.
-        line: Its amplitude, m; 0 for none.
-        motion: The motion from its start.
-    """
-
-    amplitude: float
-    largest: float
-    base: float
-    frequency: float
-    line: float
-    motion: LoopMotion
+    amplitude: float  # Of the reference, m
+    largest: float  # Largest |y| of the record, m
+    base: float  # Amplitude of y at the frequency of the reference, m
+    frequency: float  # Frequency of the largest line that is no multiple of the reference's, Hz; NaN for none
+    line: float  # Its amplitude, m; 0 for none
+    motion: LoopMotion  # The motion from its start
 
 
 @dataclass(frozen=True, eq=False)
 class ReferenceNumbers:
-    """Runs of the loop with a reference.
+    """Runs of the loop with a reference."""
 
-    Attributes:
-        from_rest: A reference of 1.5 mm in the thesis's loop, started from rest.
-        from_limit_cycle: Each of ``AMPLITUDES``, started on the limit cycle.
-        both_channels: 1.5 mm, started on the limit cycle of the loop with the pin's velocity too.
-    """
-
-    from_rest: ReferenceRun
-    from_limit_cycle: tuple[ReferenceRun, ...]
-    both_channels: ReferenceRun
+    from_rest: ReferenceRun  # A reference of 1.5 mm in the thesis's loop, started from rest
+    from_limit_cycle: tuple[ReferenceRun, ...]  # Each of ``AMPLITUDES``, started on the limit cycle
+    both_channels: ReferenceRun  # 1.5 mm, started on the limit cycle of the loop with the pin's velocity too
 
 
 def solve_reference(orbit: PeriodicOrbit, orbit_both: PeriodicOrbit) -> ReferenceNumbers:

@@ -27,10 +27,8 @@ from trimmer.displacement import CUTTER_RELATIVE_TO_GUARD, TrimmerBody
 from trimmer.loops import LoopMotion
 from trimmer.loops.trimmer_loop import BodyFriction, TrimmerLoop
 
-DURATION = 0.6
-"""Length of a run from rest, s: fifteen time constants of the slowest mode."""
-FORCES = (0.25, 0.5, 0.75)
-"""Friction of figures 3.6 to 3.8, N."""
+DURATION = 0.6  # Length of a run from rest, s: fifteen time constants of the slowest mode
+FORCES = (0.25, 0.5, 0.75)  # Friction of figures 3.6 to 3.8, N
 PERIOD = 1 / MEASURED_DRIVE_FREQUENCY
 PERIODS_LATER = int(DURATION / 2 / PERIOD)
 HARMONICS = 20
@@ -38,38 +36,24 @@ STARTED_ASIDE = 1e-3
 """Displacement of the cutter at the start of the second of two motions with the same pin, m."""
 LOWEST, HIGHEST = 150.0, 1000.0
 """Range of the peaks of what dies out after the start, Hz: beyond the drive itself."""
-SMALLEST = 0.05
-"""Smallest of these peaks, over the largest."""
+SMALLEST = 0.05  # Smallest of these peaks, over the largest
 _PHASES = 4096
 
 
 @dataclass(frozen=True, eq=False)
 class DrivenRun:
-    """One run from rest.
+    """One run from rest."""
 
-    Attributes:
-        gap: Total clearance, m; 0 without play.
-        force: Friction, N.
-        times: Instants at ``SAMPLE_RATE``, s.
-        pin: Displacement of the pin relative to the motor, m.
-        cutter: q2, m.
-        guard: q4, m.
-        transient: q2 - q4 in the first half of the run less its value a whole number of periods later, m.
-        harmonics: Amplitude of q2 - q4 at 0, 1, 2 ... times the drive's frequency in the last period, m.
-        repeat: Largest |y(t + T) - y(t)| over the largest |y|, between the last two periods.
-        mirror: Largest |y(t + T/2) + y(t)| over the largest |y|, in the last period.
-    """
-
-    gap: float
-    force: float
-    times: Reals
-    pin: Reals
-    cutter: Reals
-    guard: Reals
-    transient: Reals
-    harmonics: Reals
-    repeat: float
-    mirror: float
+    gap: float  # Total clearance, m; 0 without play
+    force: float  # Friction, N
+    times: Reals  # Instants at ``SAMPLE_RATE``, s
+    pin: Reals  # Displacement of the pin relative to the motor, m
+    cutter: Reals  # q2, m
+    guard: Reals  # q4, m
+    transient: Reals  # q2 - q4 in the first half of the run less its value a whole number of periods later, m
+    harmonics: Reals  # Amplitude of q2 - q4 at 0, 1, 2 ... times the drive's frequency in the last period, m.
+    repeat: float  # Largest |y(t + T) - y(t)| over the largest |y|, between the last two periods
+    mirror: float  # Largest |y(t + T/2) + y(t)| over the largest |y|, in the last period
 
     @property
     def output(self) -> Reals:
@@ -83,17 +67,12 @@ class DrivenRun:
 
 @dataclass(frozen=True, eq=False)
 class DrivenNumbers:
-    """All runs with a drive of ``MEASURED_DRIVE_FREQUENCY`` and 1.5 mm.
+    """All runs with a drive of ``MEASURED_DRIVE_FREQUENCY`` and 1.5 mm."""
 
-    Attributes:
-        runs: Without play, and with the three gaps of section 3.3.
-        times: Instants, s, of the two following rows.
-        apart: Energy of the difference of two motions with the same pin, over its value at the start: the
-            gap of the experiment, the largest friction of ``FORCES``.
-    """
-
-    runs: tuple[DrivenRun, ...]
-    times: Reals
+    runs: tuple[DrivenRun, ...]  # Without play, and with the three gaps of section 3.3
+    times: Reals  # Instants, s, of the two following rows
+    # Energy of the difference of two motions with the same pin, over its value at the start: the gap of the
+    # experiment, the largest friction of ``FORCES``
     apart: Reals
 
     def run(self, gap: float, force: float) -> DrivenRun:

@@ -22,10 +22,8 @@ from trimmer.elements import Element
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.linear import InputChannels
 
-FORCE = 0.6
-"""Friction force of figure 5.23, N; its gap is ``SMALL_GAP``."""
-OTHER_FORCE = 0.15
-"""Friction force of figure 5.21, N; its gap is ``LARGER_GAP``."""
+FORCE = 0.6  # Friction force of figure 5.23, N; its gap is ``SMALL_GAP``
+OTHER_FORCE = 0.15  # Friction force of figure 5.21, N; its gap is ``LARGER_GAP``
 FORCES = (0.0006, 0.006, 0.06, 0.6)
 START_OF_EQUATION = (0.06, 23e3)
 """A (m) and ω (rad/s) near the one solution of equation 5.14 that a search over both has found."""

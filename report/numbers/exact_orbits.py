@@ -19,10 +19,8 @@ from trimmer.arrays import Reals
 from trimmer.elements import Element
 from trimmer.linear.model import InputChannels, pin_model
 
-ASIDE = 1e-3
-"""How far beside the unstable limit cycle two motions start, relative."""
-DURATION = 0.5
-"""Length of these motions, s."""
+ASIDE = 1e-3  # How far beside the unstable limit cycle two motions start, relative
+DURATION = 0.5  # Length of these motions, s
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,26 +33,18 @@ class OrbitPair:
 
 @dataclass(frozen=True, eq=False)
 class ExactOrbits:
-    """Exact limit cycles for a gap of one metre.
+    """Exact limit cycles for a gap of one metre."""
 
-    Attributes:
-        friction: Friction-controlled backlash in the thesis's loop (pin displacement only).
-        left_by: Amplitudes to which motions go that start on the unstable one of ``friction`` with all
-            displacements and velocities a little smaller, and a little larger.
-        friction_listing: As ``friction``, with the rounded coefficients of Listing A.9.
-        friction_both_channels: As ``friction``, with the pin's velocity as second input.
-        inertia: Inertia-controlled backlash in the thesis's loop.
-        friction_by_durations: Amplitude and frequency (Hz) of the stable one of ``friction`` in a second way.
-        inertia_by_durations: Frequency (Hz) of the stable one of ``inertia`` in a second way.
-    """
-
-    friction: OrbitPair
+    friction: OrbitPair  # Friction-controlled backlash in the thesis's loop (pin displacement only)
+    # Amplitudes to which motions go that start on the unstable one of ``friction`` with all displacements and
+    # velocities a little smaller, and a little larger
     left_by: tuple[float, float]
-    friction_listing: OrbitPair
-    friction_both_channels: OrbitPair
-    inertia: OrbitPair
+    friction_listing: OrbitPair  # As ``friction``, with the rounded coefficients of Listing A.9
+    friction_both_channels: OrbitPair  # As ``friction``, with the pin's velocity as second input
+    inertia: OrbitPair  # Inertia-controlled backlash in the thesis's loop
+    # Amplitude and frequency (Hz) of the stable one of ``friction`` in a second way
     friction_by_durations: tuple[float, float]
-    inertia_by_durations: float
+    inertia_by_durations: float  # Frequency (Hz) of the stable one of ``inertia`` in a second way
 
 
 def solve_orbits(numbers: LinearNumbers, cycles: LimitCycleNumbers) -> ExactOrbits:

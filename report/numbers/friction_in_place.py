@@ -22,8 +22,7 @@ from trimmer.thesis import TrimmerBody
 
 BACKLASH = FrictionBacklash(1.0)
 POINTS = 49
-FEW_POINTS = 13
-"""Enough for the largest force to 1e-6."""
+FEW_POINTS = 13  # Enough for the largest force to 1e-6
 ZOOMS = 4
 HALVINGS = 50
 BEYOND = 0.01

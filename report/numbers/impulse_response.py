@@ -18,23 +18,17 @@ from scipy.integrate import solve_ivp
 from trimmer import ClosedLoop, FrictionBacklash, simulate
 from trimmer.arrays import Reals
 
-GAPS = (1e-8, 2e-8, 3e-8)
-"""Gaps of figure 5.7, m."""
-SHOWN = (1e-11, 4e-12)
-"""Impulses after which those are shown, m s."""
-LONGEST = 0.16
-"""Length of a run that is shown, s."""
+GAPS = (1e-8, 2e-8, 3e-8)  # Gaps of figure 5.7, m
+SHOWN = (1e-11, 4e-12)  # Impulses after which those are shown, m s
+LONGEST = 0.16  # Length of a run that is shown, s
 ABOVE, CHECKED = 1.05, 0.008
 """Impulse over the threshold, and time (s), for which the events are counted twice."""
-LOWEST, HIGHEST = 1e-6, 1e3
-"""Range of impulses over gap that is tried, s."""
+LOWEST, HIGHEST = 1e-6, 1e3  # Range of impulses over gap that is tried, s
 PER_DECADE = 2
 DURATION = 0.7
 """Length of a run of the range, s: the largest impulse takes 0.5 s to die down to the limit cycle."""
-SHORT = 0.04
-"""Length of a run that finds the threshold, s: 22 periods of the unstable limit cycle."""
-WINDOW = 0.005
-"""End of a run in which an event shows that the motion goes on, s: more than two periods."""
+SHORT = 0.04  # Length of a run that finds the threshold, s: 22 periods of the unstable limit cycle
+WINDOW = 0.005  # End of a run in which an event shows that the motion goes on, s: more than two periods
 ACCURACY: Final[dict[str, float]] = {"rtol": 1e-9, "atol": 1e-12, "max_step": 2e-5}
 """Of the integration; with longer steps (s) it steps over short contacts."""
 HALVINGS = 40
@@ -42,41 +36,26 @@ HALVINGS = 40
 
 @dataclass(frozen=True, eq=False)
 class GapRun:
-    """The loop with one of the thesis's gaps after an impulse.
+    """The loop with one of the thesis's gaps after an impulse."""
 
-    Attributes:
-        gap: m.
-        impulse: m s.
-        times: s.
-        output: y, m.
-        amplitude: Half of peak to peak at the end, m.
-    """
-
-    gap: float
-    impulse: float
-    times: Reals
-    output: Reals
-    amplitude: float
+    gap: float  # m
+    impulse: float  # m s
+    times: Reals  # s
+    output: Reals  # y, m
+    amplitude: float  # Half of peak to peak at the end, m
 
 
 @dataclass(frozen=True, eq=False)
 class ImpulseNumbers:
-    """What impulses do.
+    """What impulses do."""
 
-    Attributes:
-        runs: The gaps of figure 5.7, each with the impulses ``SHOWN``, by impulse and then gap.
-        impulses: Impulse over gap, s, in rising order.
-        goes_on: Whether the motion still crosses the gap in the end.
-        threshold: The impulse over gap that parts those that die out from those that go on, s.
-        peak: Largest |y| in gaps after an impulse of a thousand thresholds, over that impulse, 1/s.
-        counted: Events within ``CHECKED`` after an impulse of ``ABOVE`` thresholds, and the same by SciPy.
-    """
-
+    # The gaps of figure 5.7, each with the impulses ``SHOWN``, by impulse and then gap
     runs: tuple[GapRun, ...]
-    impulses: Reals
-    goes_on: tuple[bool, ...]
-    threshold: float
-    peak: float
+    impulses: Reals  # Impulse over gap, s, in rising order
+    goes_on: tuple[bool, ...]  # Whether the motion still crosses the gap in the end
+    threshold: float  # The impulse over gap that parts those that die out from those that go on, s
+    peak: float  # Largest |y| in gaps after an impulse of a thousand thresholds, over that impulse, 1/s
+    # Events within ``CHECKED`` after an impulse of ``ABOVE`` thresholds, and the same by SciPy
     counted: tuple[int, int]
 
     @property

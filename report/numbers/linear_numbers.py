@@ -23,8 +23,7 @@ from trimmer.linear import InputChannels, Mode, UndampedMode, time_response, und
 
 FIRST_PERIOD = 1 / DRIVE_FREQUENCY
 SAMPLES_PER_SECOND = 100_000
-DAMPING_FACTOR = 1e-3
-"""Of figure 5.4; the thesis does not give its own factor."""
+DAMPING_FACTOR = 1e-3  # Of figure 5.4; the thesis does not give its own factor
 
 
 @dataclass(frozen=True)

@@ -20,8 +20,7 @@ PERIODS, POINTS = 20, 4000
 """Periods, and points of each, over which Listing A.8 and the right waveform are compared."""
 SAMPLES: Final = 2003
 """Samples of a period in figures 4.1 to 4.3, none of which is an instant at which Listing A.8 has no line."""
-GAPS: Final = (0.0, 2e-4, 4e-4, 8e-4, 16e-4)
-"""Gaps of our figure 4.3, m; those of the thesis are not given."""
+GAPS: Final = (0.0, 2e-4, 4e-4, 8e-4, 16e-4)  # Gaps of our figure 4.3, m; those of the thesis are not given
 
 
 def friction_block(pin: float, gap: float, load: float) -> float:

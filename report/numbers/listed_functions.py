@@ -20,10 +20,8 @@ from trimmer.arrays import Complexes, Reals
 STEPS = 60
 START = complex(math.pi, -0.3)
 """Most steps of Newton's method to a contact angle of Listing A.5, and where the first begin, rad."""
-RATIOS = np.linspace(0.005, 2.0, 200)
-"""b/A over the range that section 5.2.3 states."""
-IN_GAPS = np.geomspace(0.52, 60.0, 400)
-"""Amplitudes over gap at which contours are held against each other."""
+RATIOS = np.linspace(0.005, 2.0, 200)  # b/A over the range that section 5.2.3 states
+IN_GAPS = np.geomspace(0.52, 60.0, 400)  # Amplitudes over gap at which contours are held against each other
 RESPONSE_OMEGA = TURN * np.linspace(200.0, 1000.0, 1601)
 """Angular frequencies of G between which contours are intersected with it, rad/s."""
 

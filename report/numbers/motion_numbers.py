@@ -26,23 +26,15 @@ from trimmer.linear import InputChannels
 
 @dataclass(frozen=True, eq=False)
 class ClosedLoopNumbers:
-    """The loops of section 5.2 in exact motion.
+    """The loops of section 5.2 in exact motion."""
 
-    Attributes:
-        orbits: Limit cycles.
-        impulses: After an impulse.
-        reference: With a sinusoidal reference.
-        timed_block: Inertia-controlled backlash behind a drive, and Listing A.8's block in a loop.
-        released_bodies: With the gap and the friction of figure 5.23, released.
-        relay: With a relay or friction alone.
-    """
-
-    orbits: ExactOrbits
-    impulses: ImpulseNumbers
-    reference: ReferenceNumbers
+    orbits: ExactOrbits  # Limit cycles
+    impulses: ImpulseNumbers  # After an impulse
+    reference: ReferenceNumbers  # With a sinusoidal reference
+    # Inertia-controlled backlash behind a drive, and Listing A.8's block in a loop
     timed_block: TimedBlockNumbers
-    released_bodies: ReleasedBodiesNumbers
-    relay: RelayNumbers
+    released_bodies: ReleasedBodiesNumbers  # With the gap and the friction of figure 5.23, released
+    relay: RelayNumbers  # With a relay or friction alone
 
 
 def solve_closed_loops(numbers: LinearNumbers, cycles: LimitCycleNumbers) -> ClosedLoopNumbers:
@@ -61,21 +53,14 @@ def solve_closed_loops(numbers: LinearNumbers, cycles: LimitCycleNumbers) -> Clo
 
 @dataclass(frozen=True, eq=False)
 class MotionNumbers:
-    """Exact motions of the trimmer with the parameters of Listing A.1.
+    """Exact motions of the trimmer with the parameters of Listing A.1."""
 
-    Attributes:
-        driven: Open loop, driven by the pin (chapter 3).
-        released: Closed loop, released without drive (chapter 3 and appendix E).
-        printed_friction: Friction with the sign of equation 3.2.
-        drive_amplitudes: Open loop with drives of different amplitude (appendix E), in rising order.
-        closed: The loops of section 5.2.
-    """
-
-    driven: DrivenNumbers
-    released: ReleasedNumbers
-    printed_friction: PrintedFriction
+    driven: DrivenNumbers  # Open loop, driven by the pin (chapter 3)
+    released: ReleasedNumbers  # Closed loop, released without drive (chapter 3 and appendix E)
+    printed_friction: PrintedFriction  # Friction with the sign of equation 3.2
+    # Open loop with drives of different amplitude (appendix E), in rising order
     drive_amplitudes: tuple[AmplitudeRun, ...]
-    closed: ClosedLoopNumbers
+    closed: ClosedLoopNumbers  # The loops of section 5.2
 
 
 def solve_motion(numbers: LinearNumbers, cycles: LimitCycleNumbers) -> MotionNumbers:

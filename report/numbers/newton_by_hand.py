@@ -7,29 +7,20 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-FIRST_AMPLITUDE = 10.0
-"""Amplitude over gap of the first guess."""
-FIRST_FREQUENCY = 740.0
-"""Frequency of the first guess, Hz: a little above the resonance of the cutter."""
+FIRST_AMPLITUDE = 10.0  # Amplitude over gap of the first guess
+FIRST_FREQUENCY = 740.0  # Frequency of the first guess, Hz: a little above the resonance of the cutter
 SETTLED = 1e-12
 MOST_ITERATIONS = 20
 
 
 @dataclass(frozen=True)
 class Iteration:
-    """One state of Newton's method.
+    """One state of Newton's method."""
 
-    Attributes:
-        angle: Angle of contact ℓ, rad.
-        omega: Angular frequency, rad/s.
-        gain: N(ℓ), a number.
-        inverse: 1/G(jω), a number.
-    """
-
-    angle: float
-    omega: float
-    gain: complex
-    inverse: complex
+    angle: float  # Angle of contact ℓ, rad
+    omega: float  # Angular frequency, rad/s
+    gain: complex  # N(ℓ), a number
+    inverse: complex  # 1/G(jω), a number
 
     @property
     def amplitude(self) -> float:

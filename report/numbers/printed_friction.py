@@ -18,8 +18,7 @@ from trimmer.loops import BodyFriction
 from trimmer.thesis import Displacement, TrimmerBody
 
 CUTTER_RELATIVE_TO_MOTOR = Displacement(TrimmerBody.CUTTER, TrimmerBody.MOTOR)
-START = 1e-4
-"""Displacement of the cutter at the start, m."""
+START = 1e-4  # Displacement of the cutter at the start, m
 DURATION = 0.6
 LAST = 0.1
 _POINTS = 20_001
@@ -27,21 +26,13 @@ _POINTS = 20_001
 
 @dataclass(frozen=True, eq=False)
 class FedRun:
-    """One run from a displaced cutter.
+    """One run from a displaced cutter."""
 
-    Attributes:
-        force: F_c, N.
-        times: Instants, s.
-        energy: Kinetic and potential energy at them, J.
-        amplitude: Half of peak to peak of q2 - q4 at the end, m.
-        frequency: Largest line of its spectrum at the end, Hz, in bins of 10 Hz.
-    """
-
-    force: float
-    times: Reals
-    energy: Reals
-    amplitude: float
-    frequency: float
+    force: float  # F_c, N
+    times: Reals  # Instants, s
+    energy: Reals  # Kinetic and potential energy at them, J
+    amplitude: float  # Half of peak to peak of q2 - q4 at the end, m
+    frequency: float  # Largest line of its spectrum at the end, Hz, in bins of 10 Hz
 
 
 @dataclass(frozen=True, eq=False)

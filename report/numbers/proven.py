@@ -18,14 +18,12 @@ import numpy as np
 from trimmer import LimitCycle, PeriodicOrbit
 from trimmer.examples import example_proof
 
-ALIKE = 1e-9
-"""Relative difference up to which a number of a card is that of a proof."""
+ALIKE = 1e-9  # Relative difference up to which a number of a card is that of a proof
 PLACES = 1j * np.array([10.0, 700.0, 3478.0, 4609.0, 9000.0])
 """Where two plants are held against each other, 1/s."""
 SAME_PLANT = 1e-7
 """Relative difference there that rounding of a transfer function makes of matrices, and more."""
-COMPUTED = 1e-3
-"""The same of a frequency that was counted in a simulated motion."""
+COMPUTED = 1e-3  # The same of a frequency that was counted in a simulated motion
 
 
 class OtherNumbersError(ValueError):

@@ -9,8 +9,7 @@ import numpy as np
 from report.numbers.thesis import SAMPLE_RATE
 from trimmer.arrays import Reals
 
-PADDED = 2**17
-"""Samples of a record with zeros added: a finer grid of frequencies, not a finer resolution."""
+PADDED = 2**17  # Samples of a record with zeros added: a finer grid of frequencies, not a finer resolution
 
 
 @dataclass(frozen=True)
@@ -19,14 +18,10 @@ class Record:
 
     The sample rate is then (samples - 1) / duration and a bin slightly narrower than 1 / duration, which
     shows in the digits of the thesis's peaks.
-
-    Attributes:
-        duration: s.
-        samples: Number of samples.
     """
 
-    duration: float
-    samples: int
+    duration: float  # s
+    samples: int  # Number of samples
 
     @property
     def bin_width(self) -> float:

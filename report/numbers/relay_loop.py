@@ -18,38 +18,25 @@ from trimmer import ClosedLoop, CoulombFriction, Relay, ViscousFriction, simulat
 from trimmer.arrays import Reals
 from trimmer.loops import LoopMotion
 
-IMPULSES = (1e-6, 1e-3, 1.0)
-"""Impulses over the force of the relay or of friction, s."""
-EVENTS = 3_000
-"""Switchings after which a run with a relay is ended."""
-DURATION = 0.5
-"""Length of the runs with friction, s."""
-VISCOUS = 0.1
-"""Viscous part of figure 5.20, which does not scale with the force."""
+IMPULSES = (1e-6, 1e-3, 1.0)  # Impulses over the force of the relay or of friction, s
+EVENTS = 3_000  # Switchings after which a run with a relay is ended
+DURATION = 0.5  # Length of the runs with friction, s
+VISCOUS = 0.1  # Viscous part of figure 5.20, which does not scale with the force
 HALF_PERIODS = np.geomspace(1e-8, 1.0, 20_001)
 """Half periods at which the exact condition for a periodic motion is evaluated, s."""
-STEP = 1e-5
-"""Step of a simulation that looks at the relay's input once a step, s."""
-RECORD = 0.06
-"""Length of that simulation, s."""
+STEP = 1e-5  # Step of a simulation that looks at the relay's input once a step, s
+RECORD = 0.06  # Length of that simulation, s
 _SHARES = np.linspace(0, 1, 33)
 
 
 @dataclass(frozen=True, eq=False)
 class RelayRun:
-    """The loop with a relay of one after an impulse.
+    """The loop with a relay of one after an impulse."""
 
-    Attributes:
-        impulse: Over the level, s.
-        times: Instants of switching, s.
-        swings: Largest |y| between one switching and the next, over the level.
-        growth: Rate at which the frequency grows over the last third of the run, 1/s.
-    """
-
-    impulse: float
-    times: Reals
-    swings: Reals
-    growth: float
+    impulse: float  # Over the level, s
+    times: Reals  # Instants of switching, s
+    swings: Reals  # Largest |y| between one switching and the next, over the level
+    growth: float  # Rate at which the frequency grows over the last third of the run, 1/s
 
     @property
     def frequencies(self) -> Reals:
@@ -59,50 +46,32 @@ class RelayRun:
 
 @dataclass(frozen=True, eq=False)
 class PeriodicCandidates:
-    """Where a square wave of the relay would return with y zero at its jumps (exact, with all harmonics).
+    """Where a square wave of the relay would return with y zero at its jumps (exact, with all harmonics)."""
 
-    Attributes:
-        frequencies: Hz.
-        in_phase: For each, whether y then has the sign of the relay's output and so would not keep it up.
-    """
-
-    frequencies: tuple[float, ...]
+    frequencies: tuple[float, ...]  # Hz
+    # For each, whether y then has the sign of the relay's output and so would not keep it up
     in_phase: tuple[bool, ...]
 
 
 @dataclass(frozen=True, eq=False)
 class FrictionRun:
-    """The loop with friction and viscous friction on y' after an impulse.
+    """The loop with friction and viscous friction on y' after an impulse."""
 
-    Attributes:
-        impulse: Over the force, s.
-        last_turn: When y' was zero for the last time before it stuck for good, or crept on one way, s.
-    """
-
-    impulse: float
-    last_turn: float
+    impulse: float  # Over the force, s
+    last_turn: float  # When y' was zero for the last time before it stuck for good, or crept on one way, s
 
 
 @dataclass(frozen=True, eq=False)
 class RelayNumbers:
-    """What the loop does with a relay on y, and with friction on y'.
+    """What the loop does with a relay on y, and with friction on y'."""
 
-    Attributes:
-        runs: With a relay, one for each of ``IMPULSES``.
-        alone: With a relay alone.
-        with_viscous: With a relay and a gain of ``VISCOUS``, the block of figure 5.20 on y.
-        friction: The block of figure 5.20 on y', one run for each of ``IMPULSES``.
-        last_turn_in_steps: What ``last_turn`` of these is in a second way, s.
-        damping: How fast y' decays by itself at high frequency, -C A^2 B / (C A B), 1/s.
-        sampled: Frequency (Hz) and amplitude over the level that a relay looked at once a step keeps up.
-    """
-
-    runs: tuple[RelayRun, ...]
-    alone: PeriodicCandidates
-    with_viscous: PeriodicCandidates
-    friction: tuple[FrictionRun, ...]
-    last_turn_in_steps: tuple[float, ...]
-    damping: float
+    runs: tuple[RelayRun, ...]  # With a relay, one for each of ``IMPULSES``
+    alone: PeriodicCandidates  # With a relay alone
+    with_viscous: PeriodicCandidates  # With a relay and a gain of ``VISCOUS``, the block of figure 5.20 on y
+    friction: tuple[FrictionRun, ...]  # The block of figure 5.20 on y', one run for each of ``IMPULSES``
+    last_turn_in_steps: tuple[float, ...]  # What ``last_turn`` of these is in a second way, s
+    damping: float  # How fast y' decays by itself at high frequency, -C A^2 B / (C A B), 1/s
+    # Frequency (Hz) and amplitude over the level that a relay looked at once a step keeps up
     sampled: tuple[float, float]
 
 

@@ -19,42 +19,28 @@ from trimmer.arrays import Reals
 from trimmer.linear import InputChannels
 from trimmer.thesis import TrimmerBody
 
-DISPLACEMENTS = (0.01, 0.1, 1.0)
-"""Displacement that all bodies share at the start, m."""
-RECORD = Record(1.0, 100_001)
-"""Any number of samples from 98 267 to 105 714 gives the printed digits."""
+DISPLACEMENTS = (0.01, 0.1, 1.0)  # Displacement that all bodies share at the start, m
+RECORD = Record(1.0, 100_001)  # Any number of samples from 98 267 to 105 714 gives the printed digits
 PEAKS = 3
 
 
 @dataclass(frozen=True, eq=False)
 class ReleasedBodies:
-    """One run.
+    """One run."""
 
-    Attributes:
-        displacement: At the start, m.
-        left: Half of peak to peak of the last tenth of the record, m.
-        times: s.
-        output: q2 - q4, m.
-        peaks: Bins of the largest peaks of the spectrum, in rising order.
-    """
-
-    displacement: float
-    left: float
-    times: Reals
-    output: Reals
-    peaks: tuple[int, ...]
+    displacement: float  # At the start, m
+    left: float  # Half of peak to peak of the last tenth of the record, m
+    times: Reals  # s
+    output: Reals  # q2 - q4, m
+    peaks: tuple[int, ...]  # Bins of the largest peaks of the spectrum, in rising order
 
 
 @dataclass(frozen=True, eq=False)
 class ReleasedBodiesNumbers:
-    """The thesis's loop with the gap and the friction of figure 5.23.
+    """The thesis's loop with the gap and the friction of figure 5.23."""
 
-    Attributes:
-        runs: One for each of ``DISPLACEMENTS``.
-        modes: Damped natural frequencies of the loop without play and friction, y fed back as it is, Hz.
-    """
-
-    runs: tuple[ReleasedBodies, ...]
+    runs: tuple[ReleasedBodies, ...]  # One for each of ``DISPLACEMENTS``
+    # Damped natural frequencies of the loop without play and friction, y fed back as it is, Hz
     modes: tuple[float, ...]
 
 

@@ -19,46 +19,29 @@ from trimmer.linear import InputChannels
 from trimmer.loops import LoopMotion
 from trimmer.thesis import TrimmerBody
 
-DURATION = 0.3
-"""Length of a run, s."""
-LAST = 0.02
-"""Length at the end of a run over which amplitude and frequency are taken, s: 14 periods."""
-FORCES_OF_FIGURE = (0.0025, 0.02, 0.25)
-"""Friction of figure 3.9, N."""
-RISING_FORCES = (0.0, 0.25, 0.5, 0.75, 1.0, 1.2, 1.3)
-"""Friction with the gap of the experiment, N."""
+DURATION = 0.3  # Length of a run, s
+LAST = 0.02  # Length at the end of a run over which amplitude and frequency are taken, s: 14 periods
+FORCES_OF_FIGURE = (0.0025, 0.02, 0.25)  # Friction of figure 3.9, N
+RISING_FORCES = (0.0, 0.25, 0.5, 0.75, 1.0, 1.2, 1.3)  # Friction with the gap of the experiment, N
 INSIDE, OUTSIDE = 0.4, 4.0
 """Displacements of the cutter at the start, in gaps: less than half a gap, and near the limit cycle."""
-SCALE = 10
-"""Factor on gap, friction and start between two motions that are to be alike."""
-APPENDIX_GAPS = (3e-4, 4e-4, 5e-4, 6e-4)
-"""Gaps of figure E.1, m."""
-NEAR_SECOND_MODE = (320.0, 420.0)
-"""Range in which the peak near 350 Hz is sought, Hz."""
+SCALE = 10  # Factor on gap, friction and start between two motions that are to be alike
+APPENDIX_GAPS = (3e-4, 4e-4, 5e-4, 6e-4)  # Gaps of figure E.1, m
+NEAR_SECOND_MODE = (320.0, 420.0)  # Range in which the peak near 350 Hz is sought, Hz
 _POINTS = 8_001
 
 
 @dataclass(frozen=True, eq=False)
 class ReleasedRun:
-    """One run from a displaced cutter.
+    """One run from a displaced cutter."""
 
-    Attributes:
-        gap: Total clearance, m.
-        force: Friction between cutter and guard, N.
-        start: Displacement of the cutter at the start, in gaps.
-        times: Instants at ``SAMPLE_RATE``, s.
-        output: q2 - q4, m.
-        amplitude: Half of peak to peak at the end, m.
-        frequency: Rising zero crossings per second at the end, Hz; 0 where there are fewer than two.
-    """
-
-    gap: float
-    force: float
-    start: float
-    times: Reals
-    output: Reals
-    amplitude: float
-    frequency: float
+    gap: float  # Total clearance, m
+    force: float  # Friction between cutter and guard, N
+    start: float  # Displacement of the cutter at the start, in gaps
+    times: Reals  # Instants at ``SAMPLE_RATE``, s
+    output: Reals  # q2 - q4, m
+    amplitude: float  # Half of peak to peak at the end, m
+    frequency: float  # Rising zero crossings per second at the end, Hz; 0 where there are fewer than two
 
     @property
     def goes_on(self) -> bool:
@@ -68,19 +51,13 @@ class ReleasedRun:
 
 @dataclass(frozen=True, eq=False)
 class ReleasedNumbers:
-    """All runs of the closed loop.
+    """All runs of the closed loop."""
 
-    Attributes:
-        figure: Two gaps, three frictions, started inside of the gap and outside.
-        by_force: The gap of the experiment, with friction from zero up, started outside.
-        scaled: The second of ``by_force`` with gap, friction and start times ``SCALE``.
-        appendix: The four gaps of figure E.1, without friction.
-    """
-
-    figure: tuple[ReleasedRun, ...]
+    figure: tuple[ReleasedRun, ...]  # Two gaps, three frictions, started inside of the gap and outside
+    # The gap of the experiment, with friction from zero up, started outside
     by_force: tuple[ReleasedRun, ...]
-    scaled: ReleasedRun
-    appendix: tuple[ReleasedRun, ...]
+    scaled: ReleasedRun  # The second of ``by_force`` with gap, friction and start times ``SCALE``
+    appendix: tuple[ReleasedRun, ...]  # The four gaps of figure E.1, without friction
 
     def released(self, gap: float, force: float, start: float) -> ReleasedRun:
         """Return the run of the figure with a gap (m), a friction (N) and a start (gaps).

@@ -19,8 +19,7 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.elements.element import Element
 
-GAIN: Final = 7.0
-"""Static gain of the triple lag; from 8 on the loop without play would be unstable."""
+GAIN: Final = 7.0  # Static gain of the triple lag; from 8 on the loop without play would be unstable
 STARTS: Final = (0.9, 1.1, 10.0)
 """Amplitudes from which the loop with backlash is simulated, over that of its first limit cycle."""
 WINDOWS: Final = 32

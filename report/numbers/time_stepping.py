@@ -17,12 +17,9 @@ from report.numbers.thesis import TURN
 from trimmer import PeriodicOrbit
 from trimmer.arrays import Reals
 
-STEP = 2e-5
-"""Step of the loop with backlash, s."""
-DURATION, RECORD = 0.2, 0.1
-"""Length of its motion, and of the end of it that is looked at, s."""
-FINE_STEP, SHORT = 2e-8, 1e-4
-"""Step and length of the loop with friction, s."""
+STEP = 2e-5  # Step of the loop with backlash, s
+DURATION, RECORD = 0.2, 0.1  # Length of its motion, and of the end of it that is looked at, s
+FINE_STEP, SHORT = 2e-8, 1e-4  # Step and length of the loop with friction, s
 
 
 def last_turn_in_steps(system: control.StateSpace, impulse: float, viscous: float) -> float:

@@ -25,14 +25,10 @@ from report.numbers.thesis import (
 from trimmer import Drive, InertiaBacklash, OpenLoop, simulate
 from trimmer.arrays import Complexes, Reals
 
-RECORD = Record(0.1, 2_001)
-"""A record from rest with the length of section 5.2.1, ten periods."""
-SETTLING = 0.6
-"""Time after which the open loop repeats, s."""
-MOST = 40
-"""Peaks among which the largest is sought that is no multiple of the drive's frequency."""
-SLACK = 1e-12
-"""Rounding of an instant, s."""
+RECORD = Record(0.1, 2_001)  # A record from rest with the length of section 5.2.1, ten periods
+SETTLING = 0.6  # Time after which the open loop repeats, s
+MOST = 40  # Peaks among which the largest is sought that is no multiple of the drive's frequency
+SLACK = 1e-12  # Rounding of an instant, s
 _PHASES = 2048
 
 
@@ -48,23 +44,14 @@ class _Piece:
 
 @dataclass(frozen=True, eq=False)
 class TimedBlockNumbers:
-    """A reference or drive of 100 Hz and 1.5 mm, from rest.
+    """A reference or drive of 100 Hz and 1.5 mm, from rest."""
 
-    Attributes:
-        times: s, over ``RECORD`` with both ends.
-        block_in_loop: y of the loop with Listing A.8's block, e = r - y, m.
-        multipliers: Its Floquet multipliers over a period.
-        open_loop: y of the open loop with inertia-controlled backlash, m.
-        harmonics: Amplitude of the latter at 0, 1, 2 ... times the drive's frequency once it repeats, m.
-        repeat: Largest |y(t + T) - y(t)| of it then, over the largest |y|.
-    """
-
-    times: Reals
-    block_in_loop: Reals
-    multipliers: Complexes
-    open_loop: Reals
-    harmonics: Reals
-    repeat: float
+    times: Reals  # s, over ``RECORD`` with both ends
+    block_in_loop: Reals  # y of the loop with Listing A.8's block, e = r - y, m
+    multipliers: Complexes  # Its Floquet multipliers over a period
+    open_loop: Reals  # y of the open loop with inertia-controlled backlash, m
+    harmonics: Reals  # Amplitude of the latter at 0, 1, 2 ... times the drive's frequency once it repeats, m.
+    repeat: float  # Largest |y(t + T) - y(t)| of it then, over the largest |y|
 
     @property
     def largest_other_line(self) -> tuple[float, float]:

@@ -36,29 +36,19 @@ from trimmer import TrimmerParameters, forced_orbit, pin_model, response_at
 from trimmer.arrays import Reals
 from trimmer.linear import InputChannels
 
-THESIS_FORCE: Final = 0.5
-"""The middle one of the thesis's three frictions, N."""
-MAIN_FORCE: Final = 2.0
-"""Friction of the motion of three drive periods, N."""
-FORCES: Final = (0.0, 1.0, 2.0, 3.0, 4.0)
-"""Frictions without play, N."""
-SOLVED_AGAIN: Final = 100
-"""Every so many orbits of a branch one is solved again."""
-SCALE: Final = 0.5
-"""Factor by which amplitude, gap and friction are changed together."""
+THESIS_FORCE: Final = 0.5  # The middle one of the thesis's three frictions, N
+MAIN_FORCE: Final = 2.0  # Friction of the motion of three drive periods, N
+FORCES: Final = (0.0, 1.0, 2.0, 3.0, 4.0)  # Frictions without play, N
+SOLVED_AGAIN: Final = 100  # Every so many orbits of a branch one is solved again
+SCALE: Final = 0.5  # Factor by which amplitude, gap and friction are changed together
 
 
 @dataclass(frozen=True, eq=False)
 class BothModels:
-    """One gap and one friction in both models, at the same drive.
+    """One gap and one friction in both models, at the same drive."""
 
-    Attributes:
-        frozen: The thesis's model, settled.
-        twin: The twin, settled.
-    """
-
-    frozen: FrozenBridge
-    twin: TwinCase
+    frozen: FrozenBridge  # The thesis's model, settled
+    twin: TwinCase  # The twin, settled
 
     @property
     def other_side(self) -> float:
@@ -77,50 +67,32 @@ class BothModels:
 
 @dataclass(frozen=True, eq=False)
 class TwinNumbers:
-    """The twin: 1.5 mm at the pin, and 110 Hz where nothing else is said.
+    """The twin: 1.5 mm at the pin, and 110 Hz where nothing else is said."""
 
-    Attributes:
-        small: 40 µm and 0.5 N, in both models.
-        experiment: 0.2 mm and 0.5 N, the gap of the experiment and a friction of the thesis, in both.
-        main: 0.2 mm and 2 N, in both.
-        asymmetric: 0.2 mm and 2 N at the 100 Hz of chapters 4 and 5.
-        no_gap: Without play, with ``FORCES``.
-        small_again, main_again: ``small`` and ``main`` by another method.
-        scaled: Stroke of ``main`` with amplitude, gap and friction all times ``SCALE``, m peak to peak.
-        mirror_miss: How far the mirror image of ``asymmetric`` is from an exact motion, over its size.
-        mirror_apart: Distance of the mirror image from the motion itself, m.
-        linear_stroke: Without play and friction, from the linear trimmer's response, m peak to peak.
-        branches_again: Largest relative change of the stroke where kept orbits are solved again.
-        advice: Lines of advice with what their searches found, tried again at a few points.
-        friction: Kept map over gap and friction.
-        speed: Kept map over gap and frequency of the drive, 0.5 N.
-        stiffness: Kept map over gap and stiffness of the bridge, 0.5 N.
-        damping: Kept map over gap and damping of the bridge, 0.5 N.
-        starts: Kept map over gap and friction from several starts.
-        branches: Kept branches over the gap with 2 N, each before those that part from it.
-        loop: The thesis's loop with friction.
-    """
-
-    small: BothModels
+    small: BothModels  # 40 µm and 0.5 N, in both models
+    # 0.2 mm and 0.5 N, the gap of the experiment and a friction of the thesis, in both
     experiment: BothModels
-    main: BothModels
-    asymmetric: TwinCase
-    no_gap: tuple[TwinCase, ...]
+    main: BothModels  # 0.2 mm and 2 N, in both
+    asymmetric: TwinCase  # 0.2 mm and 2 N at the 100 Hz of chapters 4 and 5
+    no_gap: tuple[TwinCase, ...]  # Without play, with ``FORCES``
+    # small_again, main_again: ``small`` and ``main`` by another method
     small_again: Independent
     main_again: Independent
-    scaled: float
-    mirror_miss: float
-    mirror_apart: float
-    linear_stroke: float
-    branches_again: float
+    scaled: float  # Stroke of ``main`` with amplitude, gap and friction all times ``SCALE``, m peak to peak
+    mirror_miss: float  # How far the mirror image of ``asymmetric`` is from an exact motion, over its size
+    mirror_apart: float  # Distance of the mirror image from the motion itself, m
+    linear_stroke: float  # Without play and friction, from the linear trimmer's response, m peak to peak
+    branches_again: float  # Largest relative change of the stroke where kept orbits are solved again
+    # Lines of advice with what their searches found, tried again at a few points
     advice: tuple[Searched, ...]
-    friction: MapNumbers
-    speed: MapNumbers
-    stiffness: MapNumbers
-    damping: MapNumbers
-    starts: MapNumbers
+    friction: MapNumbers  # Kept map over gap and friction
+    speed: MapNumbers  # Kept map over gap and frequency of the drive, 0.5 N
+    stiffness: MapNumbers  # Kept map over gap and stiffness of the bridge, 0.5 N
+    damping: MapNumbers  # Kept map over gap and damping of the bridge, 0.5 N
+    starts: MapNumbers  # Kept map over gap and friction from several starts
+    # Kept branches over the gap with 2 N, each before those that part from it
     branches: tuple[KeptBranch, ...]
-    loop: FrictionLoopNumbers
+    loop: FrictionLoopNumbers  # The thesis's loop with friction
 
     @property
     def friction_for_small_gap(self) -> float:

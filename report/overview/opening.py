@@ -8,8 +8,7 @@ from report.numbers.thesis import EXPERIMENT_GAP
 from report.numbers.twin.advice import LINES
 from report.overview.opening_figure import opening_figure
 
-BOUND = 1.0
-"""Of friction in the thesis, N."""
+BOUND = 1.0  # Of friction in the thesis, N
 
 SENTENCES = (
     "The trimmer was computed again, with a bridge that pushes back on the motor. There play brings "

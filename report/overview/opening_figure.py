@@ -15,8 +15,7 @@ from trimmer.drawing.cells import draw_cells
 
 NAME: Final = "opening-map"
 TITLE: Final = "What play does to the motion at 110 Hz"
-SIZE: Final = (1.9, 4.6)
-"""Height and width, inches: narrow enough for a telephone."""
+SIZE: Final = (1.9, 4.6)  # Height and width, inches: narrow enough for a telephone
 COLOURS: Final = ("#dbe9f6", "#e69f00", "#7a1f1f")
 NAMES: Final = ("repeats with the drive", "repeats later", "does not repeat")
 

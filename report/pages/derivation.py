@@ -9,29 +9,17 @@ from report.pages.figure import CodeLines, Equation, Figure
 
 @dataclass(frozen=True)
 class DerivationStep:
-    """A step of the derivation: Markdown prose and equations.
+    """A step of the derivation: Markdown prose and equations."""
 
-    Attributes:
-        id: Identifier, unique among all steps.
-        title: Heading.
-        text: Prose.
-        equations: Shown after the prose.
-        claims: Ids of the claims on the equations that it shows.
-        others: Ids of the other claims that rest on it.
-        code: The lines that do what the step says.
-        picture: Shown before the equations, if there is one.
-        folded: Whether the equations are so long that a reader of the page asks for them first.
-    """
-
-    id: str
-    title: str
-    text: str
-    equations: tuple[Equation, ...]
-    claims: tuple[str, ...] = ()
-    others: tuple[str, ...] = ()
-    code: tuple[CodeLines, ...] = ()
-    picture: Figure | None = None
-    folded: bool = False
+    id: str  # Identifier, unique among all steps
+    title: str  # Heading
+    text: str  # Prose
+    equations: tuple[Equation, ...]  # Shown after the prose
+    claims: tuple[str, ...] = ()  # Ids of the claims on the equations that it shows
+    others: tuple[str, ...] = ()  # Ids of the other claims that rest on it
+    code: tuple[CodeLines, ...] = ()  # The lines that do what the step says
+    picture: Figure | None = None  # Shown before the equations, if there is one
+    folded: bool = False  # Whether the equations are so long that a reader of the page asks for them first
 
 
 @dataclass(frozen=True)

@@ -7,27 +7,16 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Slider:
-    """A number that a reader can move.
+    """A number that a reader can move."""
 
-    Attributes:
-        name: What the script calls it.
-        label: What the reader is told it is, as plain text.
-        minimum: Least value; of the decimal logarithm if ``logarithmic``.
-        maximum: Largest value, likewise.
-        value: Value to begin with, likewise.
-        logarithmic: Whether the slider moves the decimal logarithm.
-        factor: From the SI unit to the unit that is shown.
-        unit: The unit that is shown, as plain text.
-    """
-
-    name: str
-    label: str
-    minimum: float
-    maximum: float
-    value: float
-    logarithmic: bool
-    factor: float
-    unit: str
+    name: str  # What the script calls it
+    label: str  # What the reader is told it is, as plain text
+    minimum: float  # Least value; of the decimal logarithm if ``logarithmic``
+    maximum: float  # Largest value, likewise
+    value: float  # Value to begin with, likewise
+    logarithmic: bool  # Whether the slider moves the decimal logarithm
+    factor: float  # From the SI unit to the unit that is shown
+    unit: str  # The unit that is shown, as plain text
 
 
 @dataclass(frozen=True)

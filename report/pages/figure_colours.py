@@ -12,12 +12,9 @@ from typing import Final
 
 GROUND: Final = 0.21
 """OKLab lightness of the dark page, which white becomes."""
-TEXT: Final = 0.92
-"""OKLab lightness of text on it, which black becomes."""
-LIFTED: Final = 0.6
-"""Exponent by which colours that are no greys are made lighter than their mirror image."""
-GREY: Final = 0.02
-"""OKLab chroma below which a colour counts as grey."""
+TEXT: Final = 0.92  # OKLab lightness of text on it, which black becomes
+LIFTED: Final = 0.6  # Exponent by which colours that are no greys are made lighter than their mirror image
+GREY: Final = 0.02  # OKLab chroma below which a colour counts as grey
 _COLOUR: Final = re.compile(r"((?:fill|stroke): ?)#([0-9a-f]{6})\b")
 _TO_CONE: Final = (
     (0.4122214708, 0.5363325363, 0.0514459929),

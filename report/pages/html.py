@@ -16,8 +16,7 @@ from report.pages.pieces import TEMPLATES
 from report.pages.policy import policy
 
 FONT = Path(__file__).parent.parent / "fonts" / "stix-two-math.woff2"
-THEME = "theme.js"
-"""Script that runs before the first paint."""
+THEME = "theme.js"  # Script that runs before the first paint
 _HEADING = re.compile(r'<h([23]) id="([^"]+)">(.*?)</h\1>', re.DOTALL)
 _DRAWING = re.compile(r'<img src="figures/(?P<id>[^"]+)\.svg"[^>]*>')
 

@@ -24,21 +24,13 @@ class TypesettingError(RuntimeError):
 
 @dataclass(frozen=True)
 class Head:
-    """What stands above the text of a report.
+    """What stands above the text of a report."""
 
-    Attributes:
-        title: Of the document.
-        subtitle: The line below it.
-        date: ISO date of what it was made from, or on which it was made.
-        strict: Whether a formula that can only be set too small to be read is an error.
-        name: Under which it is kept.
-    """
-
-    title: str
-    subtitle: str
-    date: str
-    strict: bool = True
-    name: str = "pdf"
+    title: str  # Of the document
+    subtitle: str  # The line below it
+    date: str  # ISO date of what it was made from, or on which it was made
+    strict: bool = True  # Whether a formula that can only be set too small to be read is an error
+    name: str = "pdf"  # Under which it is kept
 
 
 def typeset(

@@ -32,15 +32,11 @@ UNITS_FILTER = TEMPLATES / "units.lua"
 
 @dataclass(frozen=True)
 class Converter:
-    """Turns pieces into their forms.
+    """Turns pieces into their forms."""
 
-    Attributes:
-        store: Where each form is kept, and taken from if nothing it depends on has changed; nowhere if None.
-        digest: Of what turns pieces into their forms.
-    """
-
+    # Where each form is kept, and taken from if nothing it depends on has changed; nowhere if None
     store: StageStore | None = None
-    digest: str = ""
+    digest: str = ""  # Of what turns pieces into their forms
 
     @classmethod
     def keeping(cls, store: StageStore) -> Self:

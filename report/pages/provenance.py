@@ -10,8 +10,7 @@ from typing import final
 
 from report.cache.libraries import libraries
 
-RELEASED = "2026-11-21"
-"""Date of this version, for a report that is not made in a git checkout."""
+RELEASED = "2026-11-21"  # Date of this version, for a report that is not made in a git checkout
 
 
 @final

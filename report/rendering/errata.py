@@ -19,10 +19,8 @@ from report.rendering.summary import short_reference
 
 _STATEMENT = re.compile(r"(?:\$[^$]*\$|(?!; |\. [A-Z])[^$])*")
 """Words up to the first semicolon or the end of the first sentence, outside of mathematics."""
-_LONG = 45
-"""Corrections longer than this are not said twice."""
-_VERY_LONG = 120
-"""Answers longer than this give their first statement only; the card has the rest."""
+_LONG = 45  # Corrections longer than this are not said twice
+_VERY_LONG = 120  # Answers longer than this give their first statement only; the card has the rest
 
 
 HEADINGS = {

@@ -25,27 +25,22 @@ from report.rendering.pictures import spread_picture
 from report.rendering.selection import without_links_to
 from report.rendering.sources import identifier, sources
 
-FULL_LINE = 40.0
-"""Width of a displayed formula's line, in em."""
-HALF_LINE = 15.0
-"""Width of a formula in a table that holds printed and derived side by side, in em."""
+FULL_LINE = 40.0  # Width of a displayed formula's line, in em
+HALF_LINE = 15.0  # Width of a formula in a table that holds printed and derived side by side, in em
 HALF_LINE_OF_WORDS = 110
 """Most characters of words in such a table; longer ones are easier to read over the full width."""
 MANY_PARTS = 6
 """From so many parts on words may be half as long again: one below the other, the parts would fill a page."""
-ERRATA_LINE = 15.0
-"""Width of a line of a formula on the errata sheet, in em."""
+ERRATA_LINE = 15.0  # Width of a line of a formula on the errata sheet, in em
 REPORT = (
     *("opening", "citing", "advice", "roots", "balance", "answers", "twin"),
     *("future_work", "derived", "certificate", "bibliography"),
 )
 """Pieces of the report to be read, in their order, last the works that all cite; then come the cards."""
-CARDS = ("method",)
-"""Pieces before the cards of the chapters."""
+CARDS = ("method",)  # Pieces before the cards of the chapters
 BACK = ("programs", "explorable", "spread", "derivation", "nomenclature", "errata")
 """Pieces that follow the chapters."""
-ARCHIVE = "octave.zip"
-"""Name of the archive of the corrected listings."""
+ARCHIVE = "octave.zip"  # Name of the archive of the corrected listings
 
 
 def to_markdown(document: Document) -> dict[str, str]:

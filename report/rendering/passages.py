@@ -28,21 +28,13 @@ class CopiedFormula:
 
 @dataclass(frozen=True)
 class CopiedPassage:
-    """What the reader's copy has for a claim.
+    """What the reader's copy has for a claim."""
 
-    Attributes:
-        lines: First and last line.
-        text: As it stands there; empty if the copy ends before.
-        formulas: The displayed formulas in it.
-        is_judged: Whether the copy is the text that was judged.
-        is_open: Whether it is shown without being asked for.
-    """
-
-    lines: tuple[int, int]
-    text: str
-    formulas: tuple[CopiedFormula, ...]
-    is_judged: bool
-    is_open: bool
+    lines: tuple[int, int]  # First and last line
+    text: str  # As it stands there; empty if the copy ends before
+    formulas: tuple[CopiedFormula, ...]  # The displayed formulas in it
+    is_judged: bool  # Whether the copy is the text that was judged
+    is_open: bool  # Whether it is shown without being asked for
 
 
 def passages(document: Document, copy: ReaderCopy) -> Mapping[str, CopiedPassage]:

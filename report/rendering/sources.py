@@ -14,18 +14,12 @@ from report.pages.links import BrokenLinkError
 
 @dataclass(frozen=True)
 class ShownSource:
-    """A source file of what judges, with the findings and observations that name it.
+    """A source file of what judges, with the findings and observations that name it."""
 
-    Attributes:
-        path: Where it is, from the folder of the three packages, or from that of another text.
-        identifier: Its place in the report.
-        text: What it holds.
-        findings: Those that name it, in thesis order, and then observations of extra chapters; never empty.
-    """
-
-    path: str
-    identifier: str
-    text: str
+    path: str  # Where it is, from the folder of the three packages, or from that of another text
+    identifier: str  # Its place in the report
+    text: str  # What it holds
+    # Those that name it, in thesis order, and then observations of extra chapters; never empty
     findings: tuple[Finding | Observation, ...]
 
 

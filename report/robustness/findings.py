@@ -11,8 +11,7 @@ from report.robustness.predictions import Predictions
 PRINTED_INERTIA: Final = 814.9
 PRINTED_BAND: Final = 82.0
 PRINTED_FREQUENCY: Final = 733.3
-HALF_UNIT: Final = 0.05
-"""Of the last printed digit of that frequency, Hz."""
+HALF_UNIT: Final = 0.05  # Of the last printed digit of that frequency, Hz
 
 
 def survivals(samples: tuple[Predictions, ...], drawn: int) -> Iterator[SurvivalRow]:

@@ -13,8 +13,7 @@ from matplotlib.patches import Patch
 from report.pages.drawing.style import BLACK, LINES, panels
 from report.robustness.variation import PredictionSensitivity
 
-BARS: Final = 4
-"""Parameters shown for each quantity."""
+BARS: Final = 4  # Parameters shown for each quantity
 COLUMNS: Final = 2
 ROW_HEIGHT: Final = 1.3
 

@@ -40,24 +40,16 @@ class Cycles:
 @final
 @dataclass(frozen=True)
 class Predictions:
-    """Predictions by harmonic balance for a gap of one metre, so that amplitudes are per gap.
+    """Predictions by harmonic balance for a gap of one metre, so that amplitudes are per gap."""
 
-    Attributes:
-        friction: Friction-controlled backlash in the thesis's loop.
-        velocity: The same with the pin's velocity as second input.
-        inertia: Inertia-controlled backlash in the thesis's loop.
-        force_per_gap: Largest friction between cutter and guard with a limit cycle, thesis's loop, N/m; not a
-            number if there is no unstable limit cycle to meet.
-        turned: Number of limit cycles in the loop whose output has the other sign.
-        fifth: How much better the linear part passes five times 100 Hz than 100 Hz.
-    """
-
-    friction: Cycles
-    velocity: Cycles
-    inertia: Cycles
+    friction: Cycles  # Friction-controlled backlash in the thesis's loop
+    velocity: Cycles  # The same with the pin's velocity as second input
+    inertia: Cycles  # Inertia-controlled backlash in the thesis's loop
+    # Largest friction between cutter and guard with a limit cycle, thesis's loop, N/m; not a number if there
+    # is no unstable limit cycle to meet
     force_per_gap: float
-    turned: int
-    fifth: float
+    turned: int  # Number of limit cycles in the loop whose output has the other sign
+    fifth: float  # How much better the linear part passes five times 100 Hz than 100 Hz
 
     @property
     def band(self) -> float:

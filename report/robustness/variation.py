@@ -17,8 +17,7 @@ from trimmer.parameters import parameter_table
 from trimmer.uncertainty.distributions import Scatter, Uncertainty, Uniform
 from trimmer.uncertainty.statistics import distribution_of
 
-SHARE: Final = 0.1
-"""By how much each parameter changes, up and down."""
+SHARE: Final = 0.1  # By how much each parameter changes, up and down
 SAMPLES: Final = 500
 SEED: Final = 20261122
 

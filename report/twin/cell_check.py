@@ -49,23 +49,14 @@ class CellDifferenceError(TrimmerError, ValueError):
 
 @dataclass(frozen=True)
 class CellCheck:
-    """What was computed again.
+    """What was computed again."""
 
-    Attributes:
-        seed: Of the draw.
-        drawn: Number of cells.
-        total: Number of cells that they were drawn from.
-        by_rounding: How many of them agreed only from a start next to rest.
-        cells: Their names.
-        others: The names of those that came out as something else from all starts; they do not repeat, or did
-            not.
-    """
-
-    seed: int
-    drawn: int
-    total: int
-    by_rounding: int
-    cells: tuple[str, ...]
+    seed: int  # Of the draw
+    drawn: int  # Number of cells
+    total: int  # Number of cells that they were drawn from
+    by_rounding: int  # How many of them agreed only from a start next to rest
+    cells: tuple[str, ...]  # Their names
+    # The names of those that came out as something else from all starts; they do not repeat, or did not
     others: tuple[str, ...]
 
 

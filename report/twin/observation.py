@@ -32,19 +32,12 @@ class UnsupportedObservationError(RecordError):
 @final
 @dataclass(frozen=True)
 class ObservationRecord:
-    """An observation before its numbers are known.
+    """An observation before its numbers are known."""
 
-    Attributes:
-        id: Its place in the report.
-        source: Path of the file of this project that computes its numbers.
-        items: Yields its text and its checks.
-        title: What it is about, or the question that it answers; empty if it needs none.
-    """
-
-    id: str
-    source: str
-    items: Callable[[Evidence], Observed]
-    title: str = ""
+    id: str  # Its place in the report
+    source: str  # Path of the file of this project that computes its numbers
+    items: Callable[[Evidence], Observed]  # Yields its text and its checks
+    title: str = ""  # What it is about, or the question that it answers; empty if it needs none
 
     def finished(self, known: Evidence) -> Observation:
         """Return the observation with its numbers.

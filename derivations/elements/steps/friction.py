@@ -22,8 +22,7 @@ from derivations.step import Formula
 from derivations.symbols import A, omega
 
 ONE = sympy.Integer(1)
-VELOCITY_AMPLITUDE = sympy.Symbol("A_v", positive=True)
-"""Amplitude of a velocity, m/s."""
+VELOCITY_AMPLITUDE = sympy.Symbol("A_v", positive=True)  # Amplitude of a velocity, m/s
 UP = "On the first half of the period:"
 COUNT = sympy.Symbol("m", integer=True, nonnegative=True)
 

@@ -14,8 +14,7 @@ from report.numbers.thesis import DRIVE_OMEGA, LARGE_GAP
 PREDICTED = {3e-4: "0.0025", 4e-4: "0.0033", 5e-4: "0.0041", 6e-4: "0.0050"}
 """Amplitudes of table 5.2 for the gaps of figure E.1, m."""
 ALIKE = 1e-9
-CONSTANT = 0.05
-"""Share by which a ripple may change and still be called unaltered."""
+CONSTANT = 0.05  # Share by which a ripple may change and still be called unaltered
 SEVENTH = 7
 UNALTERED = "the amplitude of the drive does not alter it"
 DRIVE_ITEM = "the drive's amplitude does not alter the limit cycle"

@@ -12,8 +12,7 @@ from report.numbers.evidence import Evidence
 from report.numbers.thesis import LARGE_GAP, TURN
 from report.pages.drawing.style import LINES, panels
 
-LAST: Final = 0.006
-"""Time that is shown of the settled motions, s."""
+LAST: Final = 0.006  # Time that is shown of the settled motions, s
 
 
 @figure("fig-E.1")

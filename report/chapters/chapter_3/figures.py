@@ -30,14 +30,11 @@ from report.pages.drawing.style import BLACK, FAINT, LINES, panels
 from trimmer.arrays import Reals
 from trimmer.spectra import Spectrum, Window, amplitude_spectrum
 
-SHOWN_FORCE: Final = FORCES[1]
-"""Friction in the figures that stand for the experiment, N."""
-SHOWN_TIME, FROM_REST = 0.05, 0.03
-"""Time that is shown of the settled motions, and of those from rest, s."""
+SHOWN_FORCE: Final = FORCES[1]  # Friction in the figures that stand for the experiment, N
+SHOWN_TIME, FROM_REST = 0.05, 0.03  # Time that is shown of the settled motions, and of those from rest, s
 WHOLE_PERIODS: Final = 6003
 """Samples in 33 periods of the drive, to 1e-6: nothing leaks from one harmonic to another."""
-SET_APART: Final = 0.2
-"""Distance between the bars of two frictions, in distances between two harmonics."""
+SET_APART: Final = 0.2  # Distance between the bars of two frictions, in distances between two harmonics
 IN_A_ROW: Final[dict[str, Any]] = {"ncols": 3, "fontsize": 8, "handlelength": 1.7, "columnspacing": 1.0}
 
 

@@ -42,11 +42,9 @@ from report.numbers.thesis import (
 from trimmer import FrictionBacklash, InertiaBacklash
 
 b = sympy.Symbol("b", positive=True)
-MORE_SAMPLES = 3997
-"""Samples of a period where Listing A.7 is held against the waveform."""
+MORE_SAMPLES = 3997  # Samples of a period where Listing A.7 is held against the waveform
 ROUNDING = 1e-15
-VANISHING = 1e-9 * DRIVE_AMPLITUDE
-"""Gap that stands for no gap, m."""
+VANISHING = 1e-9 * DRIVE_AMPLITUDE  # Gap that stands for no gap, m
 LOAD_MASS, LOAD_DAMPING = sympy.symbols("M D", positive=True)
 PRINTED_GAMMA, PRINTED_ANGLE = "634.6652", "0.0016"
 SAME_BLOCKS = "own and built-in block of friction-controlled backlash give the same output"

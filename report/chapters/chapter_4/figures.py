@@ -11,12 +11,9 @@ from report.numbers.evidence import Evidence
 from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
 from report.pages.drawing.style import BLACK, LINES, panels
 
-EVERY = 67
-"""Samples between the markers of the second block."""
-TIMES = 1e3 * blocks.phases() / DRIVE_OMEGA
-"""Instants of the samples, ms."""
-INPUT = 1e3 * DRIVE_AMPLITUDE * np.sin(blocks.phases())
-"""Displacement of the pin, mm."""
+EVERY = 67  # Samples between the markers of the second block
+TIMES = 1e3 * blocks.phases() / DRIVE_OMEGA  # Instants of the samples, ms
+INPUT = 1e3 * DRIVE_AMPLITUDE * np.sin(blocks.phases())  # Displacement of the pin, mm
 
 
 @figure("fig-4.1")

@@ -27,19 +27,14 @@ WALL = 0.16
 BOX = 0.72
 NARROWEST, WIDEST = 0.85, 1.5
 """Least width of the space between two columns, in inches, and the most where there is room."""
-CONTACT = 0.4
-"""By how much a space is wider in which a play or a stop stands."""
+CONTACT = 0.4  # By how much a space is wider in which a play or a stop stands
 LANE = 0.84
-MARGIN = 0.22
-"""How far a body reaches beyond its lanes."""
-HEAD = 0.5
-"""Room above for forces."""
-SYMBOL = 1.0
-"""Longest symbol of a part."""
+MARGIN = 0.22  # How far a body reaches beyond its lanes
+HEAD = 0.5  # Room above for forces
+SYMBOL = 1.0  # Longest symbol of a part
 PIN = 0.34
 SMALL = 7.0
-SHORT = 16
-"""Characters of a name that stands on one line."""
+SHORT = 16  # Characters of a name that stands on one line
 COLOURS = (MOTOR, BRIDGE, HOUSING, GUARD, "#e8e6d2", "#d9e4e6")
 
 
@@ -63,16 +58,11 @@ def _pushes(force: Force) -> bool:
 
 @dataclass(frozen=True)
 class _Geometry:
-    """Places in inches.
+    """Places in inches."""
 
-    Attributes:
-        edges: Left and right edge of each column, the walls among them.
-        low: The lowest lane.
-        width, height: Of the drawing, without forces.
-    """
-
-    edges: tuple[tuple[float, float], ...]
-    low: int
+    edges: tuple[tuple[float, float], ...]  # Left and right edge of each column, the walls among them
+    low: int  # The lowest lane
+    # width, height: Of the drawing, without forces
     width: float
     height: float
 

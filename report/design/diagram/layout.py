@@ -16,62 +16,40 @@ from trimmer.mechanism.parts import COUPLINGS, GROUND
 
 ACTING = {"frictions": ("static_force", "viscous", "curve"), "walls": ("between",)}
 """What makes a part act, if it is not a stiffness or a damping."""
-MOST_ORDERS = 6
-"""Number of bodies up to which every order of columns is tried."""
-FARTHEST = 12
-"""Lanes above and below the first that are tried."""
-CROSSING = 100
-"""What a part that passes through a body costs, in widths of a column."""
+MOST_ORDERS = 6  # Number of bodies up to which every order of columns is tried
+FARTHEST = 12  # Lanes above and below the first that are tried
+CROSSING = 100  # What a part that passes through a body costs, in widths of a column
 
 
 @dataclass(frozen=True)
 class Joint:
-    """A part that joins two ends; a lever or gear that moves a point is one too, from the point to a body.
+    """A part that joins two ends; a lever or gear that moves a point is one too, from the point to a body."""
 
-    Attributes:
-        section: Such as ``links``.
-        name: Its name.
-        ends: The two ends: bodies, points, pins, or the ground.
-        carriers: The bodies or points of the ends, or the ground.
-    """
-
-    section: str
-    name: str
-    ends: tuple[str, str]
-    carriers: tuple[str, str]
+    section: str  # Such as ``links``
+    name: str  # Its name
+    ends: tuple[str, str]  # The two ends: bodies, points, pins, or the ground
+    carriers: tuple[str, str]  # The bodies or points of the ends, or the ground
 
 
 @dataclass(frozen=True)
 class Run:
-    """A part in its place, from left to right.
+    """A part in its place, from left to right."""
 
-    Attributes:
-        joint: The part.
-        left, right: Columns of its ends; 0 is the left wall, bodies count from 1, the last is the right wall.
-        lane: Its lane; higher ones are above.
-        turned: Whether its second end is the left one.
-    """
-
-    joint: Joint
+    joint: Joint  # The part
+    # left, right: Columns of its ends; 0 is the left wall, bodies count from 1, the last is the right wall
     left: int
     right: int
-    lane: int
-    turned: bool
+    lane: int  # Its lane; higher ones are above
+    turned: bool  # Whether its second end is the left one
 
 
 @dataclass(frozen=True)
 class DiagramLayout:
-    """Places of all parts.
+    """Places of all parts."""
 
-    Attributes:
-        bodies: Names of the bodies, points and structures from left to right.
-        runs: The parts between them.
-        spans: Lowest and highest lane of each body.
-    """
-
-    bodies: tuple[str, ...]
-    runs: tuple[Run, ...]
-    spans: Mapping[str, tuple[int, int]]
+    bodies: tuple[str, ...]  # Names of the bodies, points and structures from left to right
+    runs: tuple[Run, ...]  # The parts between them
+    spans: Mapping[str, tuple[int, int]]  # Lowest and highest lane of each body
 
     @property
     def walls(self) -> tuple[bool, bool]:
@@ -187,17 +165,12 @@ def _ends(joint: Joint, columns: Mapping[str, int]) -> tuple[int, int, bool]:
 @final
 @dataclass
 class _Lanes:
-    """Lanes that are being filled.
+    """Lanes that are being filled."""
 
-    Attributes:
-        columns: Of each body.
-        covered: Lowest and highest lane of each body so far.
-        taken: The parts so far.
-    """
-
-    columns: Mapping[str, int]
+    columns: Mapping[str, int]  # Of each body
+    # Lowest and highest lane of each body so far
     covered: dict[str, tuple[int, int]] = field(default_factory=dict)
-    taken: list[Run] = field(default_factory=list)
+    taken: list[Run] = field(default_factory=list)  # The parts so far
 
     def run(self, joint: Joint, left: int, right: int, turned: bool) -> Run:
         """Put a part into the first lane that is free for it."""

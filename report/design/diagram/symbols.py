@@ -9,12 +9,9 @@ from report.pages.drawing.mechanical_symbols import LINE, damper, spring
 from report.pages.drawing.style import BLACK, LINES
 from trimmer.mechanism.parts import Contact, Link
 
-HEIGHT = 0.13
-"""Half of the height of a slot."""
-LEVEL = 0.11
-"""Distance of a spring and the damper beside it from the middle of their lane."""
-ROUND = 0.22
-"""Radius of the corners of a body that turns."""
+HEIGHT = 0.13  # Half of the height of a slot
+LEVEL = 0.11  # Distance of a spring and the damper beside it from the middle of their lane
+ROUND = 0.22  # Radius of the corners of a body that turns
 CONTACT = {**LINE, "color": LINES[1]["color"], "linewidth": 1.4}
 FRICTION = {**LINE, "color": LINES[2]["color"], "linewidth": 1.8}
 

@@ -35,8 +35,7 @@ MARKERS = {
 BLUE = LINES[0]["color"]
 
 
-Curve = tuple[MeasureOfPart, str, float | None]
-"""A measure along a branch, what it is called, and its bound."""
+Curve = tuple[MeasureOfPart, str, float | None]  # A measure along a branch, what it is called, and its bound
 
 
 def branch(path: NumberPath, asked: Sequence[Curve], units: Mapping[MeasureOfPart, str]) -> Figure:
@@ -127,8 +126,7 @@ def over_range(
     return figure
 
 
-MOST = 7
-"""Bars for each measure."""
+MOST = 7  # Bars for each measure
 
 
 def influences(sensitivities: Sensitivities, asked: Sequence[tuple[MeasureOfPart, str]]) -> Figure:

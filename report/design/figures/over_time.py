@@ -101,8 +101,7 @@ def acceleration_of(motion: FoundMotion, body: str) -> Figure:
     return figure
 
 
-SMALLEST = 1e-4
-"""Line of an acceleration, relative to the largest, from which on it is drawn."""
+SMALLEST = 1e-4  # Line of an acceleration, relative to the largest, from which on it is drawn
 MARKS = {
     LineKind.DRIVE: ("o", "#0072b2", "drive"),
     LineKind.HARMONIC: ("s", "#009e73", "harmonic of the drive"),

@@ -21,8 +21,7 @@ from trimmer.arrays import Reals
 NUMBERS: Final = "report/numbers/future_work/compensation.py"
 HALF: Final = 0.5
 MICRO: Final = 1e6
-ALIKE: Final = 1e-4
-"""Of amplitudes, which depend steeply on the frequency that is kept."""
+ALIKE: Final = 1e-4  # Of amplitudes, which depend steeply on the frequency that is kept
 EVERY: Final = 4
 WAYS: Final = {"exact": "exactly", "pin": "by the pin's velocity"}
 

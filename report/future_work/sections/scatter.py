@@ -23,8 +23,7 @@ NUMBERS: Final = "report/numbers/future_work/scatter.py"
 NARROW, _, WIDE, WIDEST = FACTORS
 EVERY: Final = 15
 """Every so many sets of parameters the limit cycles are counted on a grid of frequencies too."""
-DAMPED: Final = 0.1
-"""Damping ratio of the bridge below which the sets are counted by themselves."""
+DAMPED: Final = 0.1  # Damping ratio of the bridge below which the sets are counted by themselves
 
 
 def rows_of(factor: float) -> list[list[Any]]:

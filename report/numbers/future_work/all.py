@@ -11,5 +11,4 @@ from report.numbers.future_work.load import LOAD
 from report.numbers.future_work.scatter import SCATTER
 from report.numbers.future_work.second_play import SECOND_PLAY
 
-ANSWERS: Final = (COMPENSATION, HARMONICS, SECOND_PLAY, SCATTER, LOAD, FELT)
-"""In the order of section 6.4."""
+ANSWERS: Final = (COMPENSATION, HARMONICS, SECOND_PLAY, SCATTER, LOAD, FELT)  # In the order of section 6.4

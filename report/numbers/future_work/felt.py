@@ -13,10 +13,8 @@ from trimmer.response.response_json import response_json
 HOUSING: Final = "housing"
 GAPS: Final = (0.0, 20e-6, 40e-6, 60e-6, 100e-6, 150e-6, 200e-6, 300e-6)
 FORCES: Final = (0.0, 0.5, 1.0, 2.0, 3.0, 4.0)
-SPEED, CALM = 110.0, 150.0
-"""Drive of the map, Hz, and one in the calm band."""
-CALM_FORCE: Final = 0.5
-"""Friction with which the calm speed is tried, N."""
+SPEED, CALM = 110.0, 150.0  # Drive of the map, Hz, and one in the calm band
+CALM_FORCE: Final = 0.5  # Friction with which the calm speed is tried, N
 
 
 def felt_row(gap: float, force: float, speed: float) -> list[Any]:

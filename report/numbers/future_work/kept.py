@@ -17,17 +17,11 @@ DIGITS: Final = 10
 @final
 @dataclass(frozen=True)
 class KeptAnswer:
-    """The computed data of one answer.
+    """The computed data of one answer."""
 
-    Attributes:
-        name: Of its file.
-        inputs: Everything that it is computed from beside the thesis's parameters, as JSON has it.
-        compute: Computes it: tables of rows by name.
-    """
-
-    name: str
-    inputs: Any
-    compute: Callable[[], Mapping[str, Any]]
+    name: str  # Of its file
+    inputs: Any  # Everything that it is computed from beside the thesis's parameters, as JSON has it
+    compute: Callable[[], Mapping[str, Any]]  # Computes it: tables of rows by name
 
     @property
     def path(self) -> Path:

@@ -18,14 +18,11 @@ from trimmer import (
 )
 from trimmer.linear import InputChannels
 
-TIMES: Final = (1e-6, 1.0, 73)
-"""M/D of the curves, s: first, last, how many, evenly on a logarithmic scale."""
-MEASURED: Final = (734.0, 737.0, 740.0, 745.0, 750.0)
-"""Frequencies as if measured, Hz."""
+TIMES: Final = (1e-6, 1.0, 73)  # M/D of the curves, s: first, last, how many, evenly on a logarithmic scale
+MEASURED: Final = (734.0, 737.0, 740.0, 745.0, 750.0)  # Frequencies as if measured, Hz
 RECORDS: Final = (0.1, 1.0, 10.0)
 """Lengths of the records, s; half a bin, 1/(2T), is the uncertainty of a peak."""
-TOLERANCE: Final = 0.01
-"""By how much each parameter may be off, either way."""
+TOLERANCE: Final = 0.01  # By how much each parameter may be off, either way
 SAMPLES, SEED = 60, 40
 
 

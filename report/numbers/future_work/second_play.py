@@ -32,15 +32,12 @@ from trimmer.thesis import TrimmerBody
 
 SEATS: Final = (0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.5)
 """Play between guard and housing over that at the pin, in the loop."""
-EXACT: Final = (0.1, 0.2, 0.3)
-"""Those of which the exact orbit is sought too."""
+EXACT: Final = (0.1, 0.2, 0.3)  # Those of which the exact orbit is sought too
 ORDER: Final = 9
-GAP, FORCE = 40e-6, 0.5
-"""Play of the bridge, m, and friction, N, of the twin with a second play."""
+GAP, FORCE = 40e-6, 0.5  # Play of the bridge, m, and friction, N, of the twin with a second play
 SPEEDS: Final = (110.0, 150.0)
 SEAT_GAPS: Final = (0.0, 10e-6, 20e-6, 40e-6, 60e-6, 80e-6, 100e-6, 150e-6, 200e-6)
-SHARES: Final = (0.0, 0.25, 0.5, 0.75)
-"""Of the play in the gear, when gear and bridge have ``GAP`` together."""
+SHARES: Final = (0.0, 0.25, 0.5, 0.75)  # Of the play in the gear, when gear and bridge have ``GAP`` together
 SLIDER_MASS, STIFFER = 1e-4, 20.0
 """Of the body between gear and bridge: mass, kg; the gear is so many times as stiff as the bridge."""
 

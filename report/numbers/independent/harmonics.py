@@ -22,13 +22,10 @@ from trimmer.thesis import TrimmerBody
 
 BY_THE_PIN = np.array([-1.0, 1.0, 0.0, 0.0])
 """Directions of the forces that a displacement of the pin makes on the bodies, per unit of k2."""
-BY_FRICTION = np.array([0.0, 1.0, 0.0, -1.0])
-"""Directions of the forces of friction on cutter and guard."""
+BY_FRICTION = np.array([0.0, 1.0, 0.0, -1.0])  # Directions of the forces of friction on cutter and guard
 PHASES = 2**13
-HIGHEST = 200
-"""Order below which harmonics are added up for a bound; they fall off with its square."""
-RIPPLE = np.arange(3, 80, 2)
-"""Orders that make up the ripple of the open loop."""
+HIGHEST = 200  # Order below which harmonics are added up for a bound; they fall off with its square
+RIPPLE = np.arange(3, 80, 2)  # Orders that make up the ripple of the open loop
 
 
 def displacements(parameters: TrimmerParameters, omega: float, forces: Complexes | Reals) -> Complexes:

@@ -16,8 +16,7 @@ from trimmer import TrimmerParameters, linear_model, pin_model
 from trimmer.arrays import Complexes, Reals
 from trimmer.linear import InputChannels, filtering_ratio, time_response
 
-ROUNDING = 1e-10
-"""Singular value below which a matrix with entries of order one has no full rank."""
+ROUNDING = 1e-10  # Singular value below which a matrix with entries of order one has no full rank
 SEARCHED = np.linspace(10, 2000, 8000) * TURN
 """Angular frequencies at which the filtering of harmonics is searched, rad/s."""
 SETTLING_TIME, SAMPLES_PER_PERIOD = 0.6, 400

@@ -16,10 +16,8 @@ from derivations.elements.waveform import THETA
 from derivations.symbols import A
 from trimmer.arrays import Reals
 
-STEP = 1e-6
-"""Of the sampled pin that lets a load go, s."""
-STEPS = 20_000
-"""Steps of a period of the pin that is traced through its play."""
+STEP = 1e-6  # Of the sampled pin that lets a load go, s
+STEPS = 20_000  # Steps of a period of the pin that is traced through its play
 
 
 def free_speed(mass: sympy.Symbol, damping: sympy.Symbol) -> sympy.Expr:
@@ -76,17 +74,11 @@ def contact_after_flight(load: float, play: float, separation: float) -> float:
 
 @dataclass(frozen=True)
 class LetGoLoad:
-    """A load that a pin A sin ωt pushes, and that a constant friction force brings to rest when it is let go.
+    """A load that a pin A sin ωt pushes; a constant friction force brings it to rest when it is let go."""
 
-    Attributes:
-        amplitude: A, m.
-        omega: ω, rad/s.
-        deceleration: By friction, m/s².
-    """
-
-    amplitude: float
-    omega: float
-    deceleration: float
+    amplitude: float  # A, m
+    omega: float  # ω, rad/s
+    deceleration: float  # By friction, m/s²
 
     @property
     def phase(self) -> float:

@@ -15,10 +15,8 @@ from trimmer.arrays import Complexes
 from trimmer.elements import Element
 
 GRID = np.geomspace(1, 1e6, 20_000)
-FINE_GRID = np.geomspace(100, 1e5, 40_001)
-"""Angular frequencies of crossings and of solutions, rad/s."""
-STEP = 1e-6
-"""Relative step of a difference."""
+FINE_GRID = np.geomspace(100, 1e5, 40_001)  # Angular frequencies of crossings and of solutions, rad/s
+STEP = 1e-6  # Relative step of a difference
 LIBRARY_GAP = 1e-4
 LIBRARY_GRID = np.linspace(LIBRARY_GAP / 2 + PLOT_OFFSET, 0.0025, 50)
 """Amplitudes on which python-control interpolates, over the range of Listing A.9, m."""

@@ -24,8 +24,7 @@ from trimmer.linear import InputChannels
 
 RESTS: Final = np.linspace(0.02, 0.98, 49)
 """Shares of half a period: between two of them the bridge rests for as long as the pin takes for the gap."""
-ACCURACY: Final = 1e-6
-"""Of the frequency with the largest force, Hz; the force is flat there."""
+ACCURACY: Final = 1e-6  # Of the frequency with the largest force, Hz; the force is flat there
 
 
 def largest_friction(parameters: TrimmerParameters, lowest: float, highest: float) -> FrictionCycle:

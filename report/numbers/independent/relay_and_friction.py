@@ -12,10 +12,8 @@ from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
 from trimmer import ClosedLoop, Drive, OpenLoop, Relay, TrimmerParameters, pin_model, response_at, simulate
 from trimmer.linear import InputChannels
 
-SETTLED_AFTER = 60
-"""Periods of the drive after which the open loop with a relay is settled."""
-DURATION = 0.02
-"""Of the motions that are compared, s."""
+SETTLED_AFTER = 60  # Periods of the drive after which the open loop with a relay is settled
+DURATION = 0.02  # Of the motions that are compared, s
 
 
 def fraction_of(numbers: LinearNumbers) -> tuple[sympy.Expr, sympy.Expr]:

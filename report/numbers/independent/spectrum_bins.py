@@ -8,8 +8,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 
-HALF_DIGIT = 0.0005 * (1 + 1e-9)
-"""Half a unit of the third decimal, Hz."""
+HALF_DIGIT = 0.0005 * (1 + 1e-9)  # Half a unit of the third decimal, Hz
 
 
 def bins(samples: int, rate: float) -> Reals:

@@ -19,10 +19,8 @@ from trimmer.arrays import Reals
 
 TOLERANCE: Final = 1e-11
 MOST_PHASES: Final = 2000
-NEAR: Final = 1e-9
-"""Share of the gap within which the sides of the slot touch at the start."""
-SLOW: Final = 1e-9
-"""Speed below which cutter and guard are at rest to each other where a phase begins, m/s."""
+NEAR: Final = 1e-9  # Share of the gap within which the sides of the slot touch at the start
+SLOW: Final = 1e-9  # Speed below which cutter and guard are at rest to each other where a phase begins, m/s
 
 
 class PinContact(IntEnum):
@@ -33,21 +31,13 @@ class PinContact(IntEnum):
 
 @dataclass(frozen=True)
 class PlayedTrimmer:
-    """The trimmer, with play at the bridge and friction between cutter and guard.
+    """The trimmer, with play at the bridge and friction between cutter and guard."""
 
-    Attributes:
-        parameters: Masses, stiffnesses and dampings.
-        gap: Total clearance, m.
-        force: Friction, N.
-        amplitude: Of the pin relative to the motor, m.
-        omega: Of the pin, rad/s.
-    """
-
-    parameters: TrimmerParameters
-    gap: float
-    force: float
-    amplitude: float
-    omega: float
+    parameters: TrimmerParameters  # Masses, stiffnesses and dampings
+    gap: float  # Total clearance, m
+    force: float  # Friction, N
+    amplitude: float  # Of the pin relative to the motor, m
+    omega: float  # Of the pin, rad/s
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,7 @@ from trimmer.elements import Element
 
 DIGITS = 30
 PHASES = 2**15
-ODD_ORDERS = np.arange(1, 4_002, 2)
-"""Harmonics of a square wave that are summed."""
+ODD_ORDERS = np.arange(1, 4_002, 2)  # Harmonics of a square wave that are summed
 Values = Mapping[sympy.Expr, sympy.Expr]
 
 

@@ -19,82 +19,53 @@ from trimmer.motion.measures import Measures
 from trimmer.response.estimate import Estimate
 from trimmer.response.response import SettledMotion
 
-SHOWN: Final = 3
-"""Drive periods of the stretch."""
-PHASES: Final = 2048
-"""Samples of a drive period in it."""
-RECORD: Final = 220
-"""Drive periods over which a motion is measured that does not repeat: 2 s at 110 Hz."""
-RECORD_PHASES: Final = 128
-"""Samples of a drive period for its spectrum."""
+SHOWN: Final = 3  # Drive periods of the stretch
+PHASES: Final = 2048  # Samples of a drive period in it
+RECORD: Final = 220  # Drive periods over which a motion is measured that does not repeat: 2 s at 110 Hz
+RECORD_PHASES: Final = 128  # Samples of a drive period for its spectrum
 HIGHEST_ORDER: Final = 12
-AWAY: Final = 0.1
-"""Distance from a harmonic, in orders, beyond which the window lets nothing of it pass."""
-MOST_WAITED: Final = 600
-"""Drive periods to wait for a motion to settle."""
+AWAY: Final = 0.1  # Distance from a harmonic, in orders, beyond which the window lets nothing of it pass
+MOST_WAITED: Final = 600  # Drive periods to wait for a motion to settle
 
 
 @dataclass(frozen=True, eq=False)
 class MotionStretch:
-    """``SHOWN`` drive periods of a motion, sampled ``PHASES`` times each from where the pin passes 0 upwards.
+    """``SHOWN`` drive periods of a motion, ``PHASES`` samples each from where the pin passes 0 upwards."""
 
-    Attributes:
-        stroke: Displacement of the cutter relative to the guard, m.
-        tension: Force of the bridge on the cutter, N; its reaction acts on the motor.
-    """
-
-    stroke: Reals
-    tension: Reals
+    stroke: Reals  # Displacement of the cutter relative to the guard, m
+    tension: Reals  # Force of the bridge on the cutter, N; its reaction acts on the motor
 
 
 @dataclass(frozen=True, eq=False)
 class TwinCase:
-    """What the twin settles to from rest.
+    """What the twin settles to from rest."""
 
-    Attributes:
-        gap: Total clearance, m.
-        force: Friction, N.
-        frequency: Of the drive, Hz.
-        kind: Kind of motion.
-        period_count: Drive periods after which it repeats; 0 if it does not.
-        waited: Drive periods until it had settled.
-        largest_multiplier: Largest modulus of the Floquet multipliers; NaN if it does not repeat.
-        lyapunov: Largest Lyapunov exponent per drive period.
-        peak_to_peak: Of the stroke, m.
-        lines: Of the stroke by rising order of the drive: order, amplitude, m; (n, 2). Of a motion that does
-            not repeat the harmonics alone, of its mean over many drive periods.
-        motor, cutter: Root of the mean square acceleration, m/s².
-        impacts: Contacts made per drive period.
-        impact_speed: Largest speed of an impact, m/s.
-        largest_force: Largest force of the bridge, N.
-        contact_share: Share of the time in contact.
-        wear: Power lost to the blade's friction, W.
-        bridge: Displacement of the bridge relative to the motor, m, sampled ``PHASES`` times a drive period
-            from where the pin passes 0 upwards, until it repeats, or over ``RECORD`` drive periods.
-        stretch: Some drive periods of it.
-        spectrum: Order of the drive, amplitude, m, (n, 2), with a Hann window over ``RECORD`` drive periods;
-            empty if it repeats.
-    """
-
-    gap: float
-    force: float
-    frequency: float
-    kind: MotionKind
-    period_count: int
-    waited: int
-    largest_multiplier: float
-    lyapunov: Estimate
-    peak_to_peak: float
+    gap: float  # Total clearance, m
+    force: float  # Friction, N
+    frequency: float  # Of the drive, Hz
+    kind: MotionKind  # Kind of motion
+    period_count: int  # Drive periods after which it repeats; 0 if it does not
+    waited: int  # Drive periods until it had settled
+    largest_multiplier: float  # Largest modulus of the Floquet multipliers; NaN if it does not repeat
+    lyapunov: Estimate  # Largest Lyapunov exponent per drive period
+    peak_to_peak: float  # Of the stroke, m
+    # Of the stroke by rising order of the drive: order, amplitude, m; (n, 2). Of a motion that does not
+    # repeat the harmonics alone, of its mean over many drive periods.
     lines: Reals
+    # motor, cutter: Root of the mean square acceleration, m/s²
     motor: float
     cutter: float
-    impacts: float
-    impact_speed: float
-    largest_force: float
-    contact_share: float
-    wear: float
+    impacts: float  # Contacts made per drive period
+    impact_speed: float  # Largest speed of an impact, m/s
+    largest_force: float  # Largest force of the bridge, N
+    contact_share: float  # Share of the time in contact
+    wear: float  # Power lost to the blade's friction, W
+    # Displacement of the bridge relative to the motor, m, sampled ``PHASES`` times a drive period from where
+    # the pin passes 0 upwards, until it repeats, or over ``RECORD`` drive periods
     bridge: Reals
-    stretch: MotionStretch
+    stretch: MotionStretch  # Some drive periods of it
+    # Order of the drive, amplitude, m, (n, 2), with a Hann window over ``RECORD`` drive periods; empty if it
+    # repeats
     spectrum: Reals
 
     @property
@@ -110,17 +81,11 @@ class TwinCase:
 
 @dataclass(frozen=True)
 class Independent:
-    """The same periodic motion integrated by another method from its first state on.
+    """The same periodic motion integrated by another method from its first state on."""
 
-    Attributes:
-        miss: Largest distance of the end from the start, over the largest size of each state.
-        peak_to_peak: Of the stroke on the samples, m.
-        lines: Amplitudes at p/k of the drive, p = 1, 2, ..., m.
-    """
-
-    miss: float
-    peak_to_peak: float
-    lines: Reals
+    miss: float  # Largest distance of the end from the start, over the largest size of each state
+    peak_to_peak: float  # Of the stroke on the samples, m
+    lines: Reals  # Amplitudes at p/k of the drive, p = 1, 2, ..., m
 
 
 @dataclass(frozen=True)

@@ -32,10 +32,8 @@ FORCES: Final = (SMALL_FORCE, 0.3, LARGE_FORCE)
 """Frictions of the branches over the gap, N: those of figures 5.21 and 5.23, and one between them."""
 LEAST_FORCE, MOST_FORCE = 1e-3, 0.4
 """Ends of the branch over the friction, N; a friction without force is none."""
-LEAST_GAP: Final = 10e-6
-"""The branches over the gap reach from here to the gap of the experiment, m."""
-COARSE: Final = 0.05
-"""Largest change of the number between two orbits, as a share of its interval."""
+LEAST_GAP: Final = 10e-6  # The branches over the gap reach from here to the gap of the experiment, m
+COARSE: Final = 0.05  # Largest change of the number between two orbits, as a share of its interval
 
 
 def thesis_loop(gap: float, force: float) -> TrimmerLoop:

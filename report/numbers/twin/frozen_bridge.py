@@ -19,39 +19,26 @@ from trimmer import Drive, FrictionBacklash, TrimmerLoop, TrimmerParameters, sim
 from trimmer.arrays import Reals
 from trimmer.thesis import TrimmerBody
 
-PHASES: Final = 8192
-"""Samples of a drive period."""
-PERIODS: Final = 66
-"""Drive periods of a run from rest: 0.6 s, fifteen time constants of the slowest mode."""
+PHASES: Final = 8192  # Samples of a drive period
+PERIODS: Final = 66  # Drive periods of a run from rest: 0.6 s, fifteen time constants of the slowest mode
 MOVING: Final = 1e-9
 """Share of the pin's largest change from sample to sample below which the bridge stands still."""
 
 
 @dataclass(frozen=True, eq=False)
 class FrozenBridge:
-    """One settled period of the thesis's model, sampled ``PHASES`` times from where the pin passes 0 upwards.
+    """One settled period of the thesis's model, ``PHASES`` samples from where the pin passes 0 upwards."""
 
-    Attributes:
-        gap: Total clearance, m.
-        force: Friction between cutter and guard, N.
-        stroke: Displacement of the cutter relative to the guard, m.
-        bridge: Displacement of the bridge relative to the motor, m.
-        tension: Force of the bridge's spring on the cutter, N, its reaction on the motor.
-        standing: Where the bridge stands still.
-        pulled: Where it follows the pin, and the pin would have to pull it.
-        motor_acceleration: Root of the mean square, m/s².
-        repeat: Largest change of the stroke from the period before, over the largest stroke.
-    """
-
-    gap: float
-    force: float
-    stroke: Reals
-    bridge: Reals
-    tension: Reals
-    standing: np.ndarray[tuple[int], np.dtype[np.bool_]]
+    gap: float  # Total clearance, m
+    force: float  # Friction between cutter and guard, N
+    stroke: Reals  # Displacement of the cutter relative to the guard, m
+    bridge: Reals  # Displacement of the bridge relative to the motor, m
+    tension: Reals  # Force of the bridge's spring on the cutter, N, its reaction on the motor
+    standing: np.ndarray[tuple[int], np.dtype[np.bool_]]  # Where the bridge stands still
+    # Where it follows the pin, and the pin would have to pull it
     pulled: np.ndarray[tuple[int], np.dtype[np.bool_]]
-    motor_acceleration: float
-    repeat: float
+    motor_acceleration: float  # Root of the mean square, m/s²
+    repeat: float  # Largest change of the stroke from the period before, over the largest stroke
 
     @property
     def peak_to_peak(self) -> float:

@@ -13,8 +13,7 @@ from report.numbers.twin.mechanism import CUTTER, DAMPING, FORCE, GAP, SPEED, ST
 from trimmer import Mechanism, TrimmerLoop
 from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
 
-WAITED: Final = 300
-"""Drive periods to wait at most in a cell."""
+WAITED: Final = 300  # Drive periods to wait at most in a cell
 ASIDE: Final = 1e-9
 """Displacement of the cutter at the start of the second motion of a cell, m. No measurement could tell it
 from rest, so what it changes is not known of rest either."""
@@ -22,20 +21,14 @@ from rest, so what it changes is not known of rest either."""
 
 @dataclass(frozen=True)
 class Grid:
-    """A map that is kept.
+    """A map that is kept."""
 
-    Attributes:
-        name: Of its file.
-        mechanism: What is varied.
-        values: First, last and number of values, in SI units, by their places.
-        starts: Starts of each cell; those after rest are random.
-        settings: How long each cell is looked at.
-    """
-
-    name: str
-    mechanism: Mechanism
+    name: str  # Of its file
+    mechanism: Mechanism  # What is varied
+    # First, last and number of values, in SI units, by their places
     values: Mapping[str, tuple[float, float, int]]
-    starts: int = 1
+    starts: int = 1  # Starts of each cell; those after rest are random
+    # How long each cell is looked at
     settings: Settings = field(default_factory=lambda: Settings(most_periods=WAITED))
 
     @cached_property
@@ -68,34 +61,21 @@ GRIDS: Final = (FRICTION_MAP, SPEED_MAP, STIFFNESS_MAP, DAMPING_MAP, STARTS_MAP)
 
 @dataclass(frozen=True)
 class KeptCourse:
-    """A branch that is kept: by itself from what the twin settles to from rest at its start.
+    """A branch that is kept: by itself from what the twin settles to from rest at its start."""
 
-    Attributes:
-        name: Of the branch.
-        subject: What is varied.
-        place: The number that is varied.
-        start: First value, SI units.
-        stop: The end of the interval towards which it goes.
-        bounds: The interval.
-        output: The output whose stroke is kept.
-        largest_step: See ``FollowSettings``.
-    """
-
-    name: str
-    subject: Mechanism | TrimmerLoop
-    place: str
-    start: float
-    stop: float
-    bounds: tuple[float, float]
-    output: str = STROKE
-    largest_step: float = 0.01
+    name: str  # Of the branch
+    subject: Mechanism | TrimmerLoop  # What is varied
+    place: str  # The number that is varied
+    start: float  # First value, SI units
+    stop: float  # The end of the interval towards which it goes
+    bounds: tuple[float, float]  # The interval
+    output: str = STROKE  # The output whose stroke is kept
+    largest_step: float = 0.01  # See ``FollowSettings``
 
 
-BRANCH_FORCE: Final = 2.0
-"""Friction of the branches, N."""
+BRANCH_FORCE: Final = 2.0  # Friction of the branches, N
 WIDEST: Final = 300e-6
-NARROWEST: Final = 20e-6
-"""Ends of the interval of the branches, m."""
+NARROWEST: Final = 20e-6  # Ends of the interval of the branches, m
 BRANCH_GAP: Final = 200e-6
 """Gap at which the motion of three drive periods is known, m: that of the experiment."""
 _rubbing = twin(force=BRANCH_FORCE)

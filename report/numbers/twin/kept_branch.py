@@ -15,8 +15,7 @@ from report.numbers.twin.kept_files import FOLDER, read_kept, rounded, write_kep
 from trimmer import FollowedBranch, FollowSettings, Mechanism, TrimmerLoop
 from trimmer.arrays import Reals
 
-FILE: Final = FOLDER / "branches.json"
-"""The branches of the twin."""
+FILE: Final = FOLDER / "branches.json"  # The branches of the twin
 STATE_DIGITS: Final = 10
 """Significant digits of values and states: as many as come out alike whenever a branch is followed."""
 
@@ -32,29 +31,17 @@ class KeptSpecial:
 
 @dataclass(frozen=True, eq=False)
 class KeptBranch:
-    """A branch, or one that parts from it.
+    """A branch, or one that parts from it."""
 
-    Attributes:
-        course: What it was followed along.
-        parted: Word of the kind of point at which it parts from another; empty if it was begun by itself.
-        periods: Drive periods after which its motions repeat.
-        values: Of the number that is varied, SI units, (n,).
-        strokes: Peak to peak, m, (n,).
-        stable: Whether neighbouring motions approach, (n,).
-        states: At the start of a drive period, (n, size).
-        special: The special points.
-        message: Why it ends.
-    """
-
-    course: KeptCourse
-    parted: str
-    periods: int
-    values: Reals
-    strokes: Reals
-    stable: np.ndarray[tuple[int], np.dtype[np.bool_]]
-    states: Reals
-    special: tuple[KeptSpecial, ...]
-    message: str
+    course: KeptCourse  # What it was followed along
+    parted: str  # Word of the kind of point at which it parts from another; empty if it was begun by itself
+    periods: int  # Drive periods after which its motions repeat
+    values: Reals  # Of the number that is varied, SI units, (n,)
+    strokes: Reals  # Peak to peak, m, (n,)
+    stable: np.ndarray[tuple[int], np.dtype[np.bool_]]  # Whether neighbouring motions approach, (n,)
+    states: Reals  # At the start of a drive period, (n, size)
+    special: tuple[KeptSpecial, ...]  # The special points
+    message: str  # Why it ends
 
     def special_of(self, kind: str) -> tuple[float, ...]:
         """Return the values of the special points of one kind, such as ``torus``, in their order."""

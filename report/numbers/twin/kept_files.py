@@ -17,8 +17,7 @@ from trimmer.files import write_atomically
 
 FOLDER: Final = Path(__file__).parents[2] / "data" / "twin"
 REMEDY: Final = "run `make maps`, look at what changes in the report, and commit the file"
-DIGITS: Final = 9
-"""Significant digits of what is exact."""
+DIGITS: Final = 9  # Significant digits of what is exact
 
 
 class KeptDataError(TrimmerError, ValueError):

@@ -16,38 +16,26 @@ from report.numbers.twin.kept_branch import KeptBranch, read_branches
 from trimmer import TrimmerLoop, TrimmerParameters, simulate
 from trimmer.loops import LoopMotion
 
-SIMULATED: Final = 10
-"""Every so many kept orbits one is simulated."""
-BESIDE: Final = 0.01
-"""How far below and above the largest friction two motions are released, relative."""
-DURATION: Final = 0.5
-"""Length of these motions, s."""
-AROUND: Final = (690.0, 715.0)
-"""Range of frequencies with the largest friction in it, Hz."""
+SIMULATED: Final = 10  # Every so many kept orbits one is simulated
+BESIDE: Final = 0.01  # How far below and above the largest friction two motions are released, relative
+DURATION: Final = 0.5  # Length of these motions, s
+AROUND: Final = (690.0, 715.0)  # Range of frequencies with the largest friction in it, Hz
 
 
 @dataclass(frozen=True, eq=False)
 class FrictionLoopNumbers:
-    """Limit cycles of the thesis's loop with friction between cutter and guard.
+    """Limit cycles of the thesis's loop with friction between cutter and guard."""
 
-    Attributes:
-        over_force: Kept branch over the friction, for a gap of 40 µm.
-        over_gap: Kept branches over the gap, by rising friction.
-        miss: How far orbits are from their start after a period, at most, relative to the largest states.
-        events: Numbers of events by kind that a period of these orbits has.
-        largest: The limit cycle with the largest friction per gap, in a second way.
-        left_below: Half of peak to peak over 40 µm that is left of a stable limit cycle after ``DURATION``,
-            with friction ``BESIDE`` below the largest one.
-        left_above: The same with friction above it.
-    """
-
-    over_force: KeptBranch
-    over_gap: tuple[KeptBranch, ...]
-    miss: float
+    over_force: KeptBranch  # Kept branch over the friction, for a gap of 40 µm
+    over_gap: tuple[KeptBranch, ...]  # Kept branches over the gap, by rising friction
+    miss: float  # How far orbits are from their start after a period, at most, relative to the largest states
+    # Numbers of events by kind that a period of these orbits has
     events: frozenset[tuple[tuple[str, int], ...]]
-    largest: FrictionCycle
+    largest: FrictionCycle  # The limit cycle with the largest friction per gap, in a second way
+    # Half of peak to peak over 40 µm that is left of a stable limit cycle after ``DURATION``, with friction
+    # ``BESIDE`` below the largest one
     left_below: float
-    left_above: float
+    left_above: float  # The same with friction above it
 
     @property
     def all(self) -> tuple[KeptBranch, ...]:

@@ -11,21 +11,15 @@ from report.numbers.twin.kept_map import KeptMap
 from trimmer.arrays import Reals
 
 Cells = np.ndarray[tuple[int, int], np.dtype[np.bool_]]
-SEEN = 1e-6
-"""Second harmonic from which a motion counts as not symmetric, m."""
-TOLERANCE = 1e-9
-"""Distance from a grid value at which a limit still includes it, relative to the limit."""
+SEEN = 1e-6  # Second harmonic from which a motion counts as not symmetric, m
+TOLERANCE = 1e-9  # Distance from a grid value at which a limit still includes it, relative to the limit
 
 
 @dataclass(frozen=True, eq=False)
 class MapNumbers:
-    """A kept map, and what it says.
+    """A kept map, and what it says."""
 
-    Attributes:
-        kept: The map.
-    """
-
-    kept: KeptMap
+    kept: KeptMap  # The map
 
     @property
     def cells(self) -> int:

@@ -8,16 +8,13 @@ from report.numbers.thesis import DRIVE_AMPLITUDE
 from trimmer import Mechanism, TrimmerParameters
 from trimmer.mechanism.parts import GROUND, Body, Friction, Link, Output, Pin, Play
 
-FREQUENCY: Final = 110.0
-"""Drive of the twin where nothing else is said, Hz."""
+FREQUENCY: Final = 110.0  # Drive of the twin where nothing else is said, Hz
 GAP, FORCE = "plays.bridge.gap", "frictions.blade.force"
 STIFFNESS, DAMPING = "plays.bridge.stiffness", "plays.bridge.damping"
-SPEED, AMPLITUDE = "frequency", "pins.pin.amplitude"
-"""Places of the numbers that are varied."""
+SPEED, AMPLITUDE = "frequency", "pins.pin.amplitude"  # Places of the numbers that are varied
 STROKE, BRIDGE, BLADE, MOTOR, CUTTER = "stroke", "bridge", "blade", "motor", "cutter"
 """Names of its output, its play, its friction and two of its bodies."""
-SMALL_GAP, SMALL_FORCE = 40e-6, 0.5
-"""Play, m, and friction, N, of ``examples/thesis-play.toml``."""
+SMALL_GAP, SMALL_FORCE = 40e-6, 0.5  # Play, m, and friction, N, of ``examples/thesis-play.toml``
 
 
 def twin(gap: float = SMALL_GAP, force: float = SMALL_FORCE, frequency: float = FREQUENCY) -> Mechanism:

@@ -11,8 +11,7 @@ from matplotlib.lines import Line2D
 from report.pages.drawing.marks import STABLE, UNSTABLE
 from trimmer.arrays import Flags, Reals
 
-MOST: Final = 12
-"""Most peaks of a line, the highest."""
+MOST: Final = 12  # Most peaks of a line, the highest
 SEEN: Final = 5.0
 """Least height of a peak above the higher one of the valleys beside it, in pixels of the drawing."""
 

@@ -25,8 +25,7 @@ SHARES: Final = np.concatenate([np.geomspace(1e-7, 0.5, 160), 1 - np.geomspace(0
 """Shares of the largest gap/amplitude, close together at both ends of the domain."""
 LEADER: Final[dict[str, Any]] = {"arrowstyle": "-", "linewidth": 0.6, "shrinkA": 1, "shrinkB": 4}
 """Thin line from a text to what it names: a text stands beside the curves, never on one."""
-_NEAR: Final = 12.0
-"""Offset of a text, in points, up to which it needs no such line."""
+_NEAR: Final = 12.0  # Offset of a text, in points, up to which it needs no such line
 
 
 def locus(axes: Axes, system: control.lti.LTI) -> None:

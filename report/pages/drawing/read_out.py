@@ -23,12 +23,9 @@ from trimmer.drawing.plane import plot_along as plot_along
 
 SCALES: Final = ("linear", "log")
 _POINTS_PER_INCH = 72
-_STEP = 2.5
-"""Points of a curve that are nearer than this, in points, say nothing new to the eye."""
-_VALUE_STEP = 0.05
-"""But a point stays where the quantity has changed by this share."""
-_SAME_PLACE = 0.02
-"""Share of the figure within which axes stand in one row or column."""
+_STEP = 2.5  # Points of a curve that are nearer than this, in points, say nothing new to the eye
+_VALUE_STEP = 0.05  # But a point stays where the quantity has changed by this share
+_SAME_PLACE = 0.02  # Share of the figure within which axes stand in one row or column
 _SYMBOLS = {"omega": "ω", "gamma": "γ", "beta": "β", "theta": "θ", "phi": "φ", "pi": "π", "mu": "µ"}
 
 

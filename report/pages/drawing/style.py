@@ -14,8 +14,7 @@ from trimmer.drawing.look import FAINT as FAINT
 from trimmer.drawing.look import LINES as LINES
 from trimmer.drawing.look import Look as Look
 
-WIDTH: Final = 6.5
-"""Width of a figure that fills the page, in inches."""
+WIDTH: Final = 6.5  # Width of a figure that fills the page, in inches
 
 
 @contextmanager

@@ -16,33 +16,22 @@ from report.judging.verdict import Grade, grade
 from report.pages.html import html_templates
 from report.rendering.summary import COLOURS, GRADES, SYMBOLS, capitalised, reference
 
-NAME: Final = "spread"
-"""Name of the picture among the drawings of the report."""
+NAME: Final = "spread"  # Name of the picture among the drawings of the report
 WIDTH, INDENT, GAP = 400, 24, 10
 FIRST_LINE, NEXT_LINE, BELOW = 16, 15, 8
-LINE, LINES_OF_TITLE = 52, 3
-"""Characters in a line of a title, and lines of it."""
+LINE, LINES_OF_TITLE = 52, 3  # Characters in a line of a title, and lines of it
 
 
 @dataclass(frozen=True)
 class PlacedStatement:
-    """A statement in the picture.
+    """A statement in the picture."""
 
-    Attributes:
-        finding: What was found about it.
-        depth: How many statements it follows from, one after the other.
-        row: Its line, from 0.
-        top: Upper edge of its box.
-        how: How it follows from the one before; empty for the first.
-        above: Lines of the statements that it follows from.
-    """
-
-    finding: Finding
-    depth: int
-    row: int
-    top: float
-    how: str
-    above: tuple[int, ...]
+    finding: Finding  # What was found about it
+    depth: int  # How many statements it follows from, one after the other
+    row: int  # Its line, from 0
+    top: float  # Upper edge of its box
+    how: str  # How it follows from the one before; empty for the first
+    above: tuple[int, ...]  # Lines of the statements that it follows from
 
     @property
     def title(self) -> tuple[str, ...]:

@@ -11,8 +11,7 @@ from report.numbers.thesis import DRIVE_AMPLITUDE, TURN
 from report.numbers.twin.cases import PHASES
 from report.pages.drawing.style import FAINT, LINES, panels
 
-THINNED = 16
-"""Every so many samples are drawn."""
+THINNED = 16  # Every so many samples are drawn
 
 
 @figure("twin-bridge-in-slot")

@@ -17,8 +17,7 @@ from report.pages.drawing.style import BLACK, FAINT, LINES, panels
 from trimmer.arrays import Reals
 
 MICRO: Final = 1e6
-EVERY: Final = 4
-"""One of so many solutions of harmonic balance is marked."""
+EVERY: Final = 4  # One of so many solutions of harmonic balance is marked
 CROSS: Final = {"color": BLACK, "marker": "x", "markersize": 4.0, "linestyle": "none", "markeredgewidth": 0.9}
 
 

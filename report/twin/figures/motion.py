@@ -14,8 +14,7 @@ from report.pages.drawing.style import FAINT, LINES, panels
 
 THINNED = 32
 TOGETHER = 4
-SMALLEST = 0.03
-"""Amplitude at which the spectra end, µm."""
+SMALLEST = 0.03  # Amplitude at which the spectra end, µm
 NAMES = ("40 µm, 0.5 N", "0.2 mm, 0.5 N", "0.2 mm, 2 N")
 
 

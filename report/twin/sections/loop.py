@@ -17,14 +17,11 @@ from trimmer.arrays import Reals
 
 NUMBERS = "report/numbers/twin/loop_numbers.py"
 MICRO = 1e6
-KEPT = 1e-8
-"""Accuracy of what is kept."""
-RETURNS = 1e-7
-"""Share of the largest state by which a kept orbit may miss its start after a period."""
+KEPT = 1e-8  # Accuracy of what is kept
+RETURNS = 1e-7  # Share of the largest state by which a kept orbit may miss its start after a period
 ON_IT, AT_REST = 2.0, 1e-9
 """Half of peak to peak, in gaps: at least so much on the limit cycle, at most so much at rest."""
-MOST = 0.9
-"""Share of the largest friction up to which harmonic balance is held against the orbits one by one."""
+MOST = 0.9  # Share of the largest friction up to which harmonic balance is held against the orbits one by one
 
 
 @observation("twin-loop-force", source=NUMBERS, title="More friction.")

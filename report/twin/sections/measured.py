@@ -9,8 +9,7 @@ from report.numbers.thesis import EXPERIMENT_GAP, FRAMES_OF_TABLES, SAMPLE_RATE,
 from report.numbers.twin.map_numbers import SEEN
 from report.twin.observation import Observed, SectionRecord, observation
 
-RESOLUTION = SAMPLE_RATE / FRAMES_OF_TABLES
-"""Width of a bin of the measured spectra, Hz."""
+RESOLUTION = SAMPLE_RATE / FRAMES_OF_TABLES  # Width of a bin of the measured spectra, Hz
 VANISHES = 1e-12
 
 

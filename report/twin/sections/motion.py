@@ -14,14 +14,12 @@ from trimmer import MotionKind
 CASES = "report/numbers/twin/cases.py"
 RUNGE_KUTTA = "the same motion integrated by DOP853 from event to event, with equations written anew"
 RELATIVE = 1e-6
-ERRORS = 3
-"""Standard errors by which an exponent has to exceed 0."""
+ERRORS = 3  # Standard errors by which an exponent has to exceed 0
 LYAPUNOV = (0.7, 1.1)
 """Between which the exponent lies per drive period; estimates differ by 0.03 with the first state."""
 BELOW = 50
 """How many times the chaos's spectrum lies below the first harmonic, at least; 97 to 141 with the stretch."""
-MODERATE = (0.2, 0.8)
-"""Frictions between which the thesis's three lie, N; the grid of the map has both."""
+MODERATE = (0.2, 0.8)  # Frictions between which the thesis's three lie, N; the grid of the map has both
 
 
 def _micrometres(case: BothModels, order: int) -> tuple[float, float]:

@@ -12,8 +12,7 @@ from report.numbers.twin.mechanism import SMALL_FORCE, SMALL_GAP
 from report.numbers.twin_numbers import SCALE
 from report.twin.observation import Observed, SectionRecord, observation
 
-MOST = 0.9
-"""Share that is meant by most."""
+MOST = 0.9  # Share that is meant by most
 NUMBERS = "report/numbers/twin_numbers.py"
 MAPS = "report/numbers/twin/map_numbers.py"
 

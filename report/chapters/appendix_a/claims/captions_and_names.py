@@ -25,15 +25,12 @@ from report.numbers.listed_blocks import (
 from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_OMEGA, TIMED_GAP
 from trimmer import InertiaBacklash
 
-FRICTION_FUNCTION = "function N = backlash_describing_func_2(A, b)"
-"""First line of Listings A.2 and A.3."""
-CALL = "N = @(A) backlash_describing_func_2(A, b)"
-"""Line 8 of Listing A.9."""
+FRICTION_FUNCTION = "function N = backlash_describing_func_2(A, b)"  # First line of Listings A.2 and A.3
+CALL = "N = @(A) backlash_describing_func_2(A, b)"  # Line 8 of Listing A.9
 LISTING_A_2 = ("N = zeros(size(A));", "N(A < b) = 0;", "N.re = ...", "N.im = ...", "N = N_re + 1i*N_im;")
 LISTING_A_3 = ("N = zeros(size(A));", "N(A < b) = 0;", "N_re = ...", "N_im = ...", "N = N_re + 1i*N_im;")
 """Lines of Listings A.2 and A.3 that set or use N, right sides of the long ones left out."""
-LISTING_A_5 = ("np = ...", "nq = ...", "N = np + li*nq;")
-"""The same of Listing A.5."""
+LISTING_A_5 = ("np = ...", "nq = ...", "N = np + li*nq;")  # The same of Listing A.5
 NAME = r"[A-Za-z_]\w*"
 ASSIGNED = "what it adds up has been assigned before"
 BOTH_SIDES = "names on both sides of the listing's assignments"

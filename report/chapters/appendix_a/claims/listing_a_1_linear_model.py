@@ -25,8 +25,7 @@ from trimmer import linear_model, response_at
 
 b = sympy.Symbol("b", positive=True)
 tau = sympy.Symbol("t", real=True)
-VALUES = {A: sympy.Rational(17, 10), b: sympy.Rational(3, 7)}
-"""Where the integrals are found numerically too."""
+VALUES = {A: sympy.Rational(17, 10), b: sympy.Rational(3, 7)}  # Where the integrals are found numerically too
 
 
 @claim("eq-A.1")

@@ -22,11 +22,9 @@ from report.numbers.thesis import (
 )
 from trimmer import ViscousBacklash, limit_cycles, response_at
 
-GRID_END, GRID_POINTS = 0.0025, 10000
-"""Last amplitude that line 9 plots, m, and how many it plots."""
+GRID_END, GRID_POINTS = 0.0025, 10000  # Last amplitude that line 9 plots, m, and how many it plots
 LINE_OF_SEARCH, LINE_OF_START = 23, 31
-TIME_CONSTANT = 1e-3
-"""Load time constant M/D of the example, s."""
+TIME_CONSTANT = 1e-3  # Load time constant M/D of the example, s
 
 
 @claim("lst-A.9")

@@ -62,18 +62,15 @@ SINE = A * sympy.sin(THETA)
 BACK = total(product(-A, THETA), sympy.pi * A + b / 2)
 LISTED = (total(A * THETA, -b / 2), total(SINE, b / 2), BACK, total(SINE, -b / 2))
 """Lines 10 to 13 of Listing A.8 with theta = omega t, and what the constant of line 12 stands for."""
-EQUATION = (*LISTED[:2], product(-A, THETA - sympy.pi), LISTED[3])
-"""Right sides of equation 2.42."""
-PHASES = (0.5, 2.0, 4.0, 5.5)
-"""A phase inside of each piece, rad."""
+EQUATION = (*LISTED[:2], product(-A, THETA - sympy.pi), LISTED[3])  # Right sides of equation 2.42
+PHASES = (0.5, 2.0, 4.0, 5.5)  # A phase inside of each piece, rad
 IN_TEXT = "109.845"
 CONTACT_ITEM = f"{LISTED_CONTACT} s, time of contact in Listing A.8"
 OFFSET_ITEM = f"{LISTED_OFFSET} m, constant of line 12 of Listing A.8"
 FREQUENCY_ITEM = "109.845 Hz, driving frequency seen in the experiment"
 ROUNDED_CONSTANT = 0.02
 """Share by which the two digits of line 12's constant may move the output at that phase."""
-CLOSE = 0.01
-"""Share of the gap by which the block may differ from the waveform that it stands for."""
+CLOSE = 0.01  # Share of the gap by which the block may differ from the waveform that it stands for
 
 
 def friction_parts(place: str = "") -> tuple[ClaimPart, ...]:

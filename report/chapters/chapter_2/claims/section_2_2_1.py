@@ -24,8 +24,7 @@ PIN_MOTION = A * sympy.sin(RATE * t)
 TURNING_POINT = A * sympy.exp(RATE * sympy.I * t)
 AMPLITUDE_LOST = "the amplitude A is lost in the derivative"
 VELOCITY_ITEM = "2πf cos(2πft), velocity of the pin"
-MOTOR_ITEM = "q̈₁, equation of motion of the motor"
-"""Printed things that several claims judge."""
+MOTOR_ITEM = "q̈₁, equation of motion of the motor"  # Printed things that several claims judge
 
 
 def matrix_of(function: sympy.Expr, variables: tuple[sympy.Expr, ...]) -> sympy.ImmutableMatrix:

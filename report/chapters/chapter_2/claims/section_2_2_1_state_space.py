@@ -17,8 +17,7 @@ from report.numbers.evidence import Evidence
 STATE = sympy.ImmutableMatrix([*coordinates, *velocities])
 INPUT = sympy.ImmutableMatrix([u, u_dot])
 OUTPUT = output_row(of=1, relative_to=3, size=len(coordinates))
-RATES, READ_OUT = r"\dot q(t) = A q(t) + B u(t)", "y(t) = C q(t) + D u(t)"
-"""The two lines of equation 2.10."""
+RATES, READ_OUT = r"\dot q(t) = A q(t) + B u(t)", "y(t) = C q(t) + D u(t)"  # The two lines of equation 2.10
 FIRST_ORDER = (
     *("x_5", "x_6", "x_7", "x_8"),
     r"\frac{1}{m_1} [-(c_1 + c_2)x_5 + c_2x_6 - (k_1 + k_2)x_1 + k_2x_2 - k_2u - c_2\dot u]",

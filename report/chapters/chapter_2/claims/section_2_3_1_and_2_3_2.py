@@ -19,8 +19,7 @@ from report.numbers.thesis import LIMIT_CYCLE_OMEGA
 from trimmer.linear import filtering_ratio
 
 LINEAR, NONLINEAR, SIGNAL = sympy.symbols("G N Y")
-MUCH_LESS = 0.2
-"""Share of the fundamental below which a harmonic is called much less."""
+MUCH_LESS = 0.2  # Share of the fundamental below which a harmonic is called much less
 LOOP_FORM = r"N(A, \omega)G(j\omega) + 1"
 
 

@@ -26,8 +26,7 @@ HARMONICS = [
     for n, a, b in zip((1, 2), COSINES, SINES, strict=True)
 ]
 SERIES = total(MEAN / 2, *HARMONICS)
-WAVE = Waveform((Segment(-sympy.pi, sympy.pi, SERIES),))
-"""A signal of two harmonics."""
+WAVE = Waveform((Segment(-sympy.pi, sympy.pi, SERIES),))  # A signal of two harmonics
 
 
 @claim("txt-2.3.3-amplitude-only")

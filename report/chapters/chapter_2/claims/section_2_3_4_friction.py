@@ -32,14 +32,12 @@ LINES = ("first", "second", "third", "fourth")
 SINE, COSINE = sympy.sin(THETA), sympy.cos(THETA)
 INPUT = A * SINE
 EXCHANGED = "the signs of the two resting pieces are exchanged"
-RESTING_ITEM = "signs of the two resting pieces, backlashed output"
-"""The printed thing that two claims judge."""
+RESTING_ITEM = "signs of the two resting pieces, backlashed output"  # The printed thing that two claims judge
 LIMITS = (r"\frac{\pi}{2}", r"\pi - \gamma", r"\frac{3\pi}{2}", r"2\pi - \gamma", r"\frac{5\pi}{2}")
 MOVING = r"A\sin(\omega t) + b", r"A\sin(\omega t) - b"
 """The limits of the pieces of equation 2.36, and its second and fourth piece, as TeX."""
 TRACING = "an input traced through the characteristic step by step"
-HALF_GAP = 0.3
-"""Half gap over amplitude of the traced input."""
+HALF_GAP = 0.3  # Half gap over amplitude of the traced input
 STEP_ERROR = 1e-3
 
 

@@ -62,8 +62,7 @@ RIGHT_SIDE = one_line(
     """
 )
 """The right side of equation 2.46 as printed."""
-LOAD, PLAY = 1.7, 0.6
-"""M omega / D and gap over amplitude for which the flight is integrated numerically."""
+LOAD, PLAY = 1.7, 0.6  # M omega / D and gap over amplitude for which the flight is integrated numerically
 
 
 @cache

@@ -41,10 +41,8 @@ REAL_FORM = one_line(
 )
 """The left side of equation 2.53 as printed."""
 EXAMPLE = "$7/(s + 1)^3$ with friction-controlled backlash"
-STEP = 1.02
-"""Factor between the amplitude of a limit cycle and those of the operating points beside it."""
-DRAWN = 1e-5
-"""Relative difference allowed between a number read from 400 drawn points and the solution."""
+STEP = 1.02  # Factor between the amplitude of a limit cycle and those of the operating points beside it
+DRAWN = 1e-5  # Relative difference allowed between a number read from 400 drawn points and the solution
 SETTLED = 0.01
 """Relative difference allowed between a simulated and a predicted amplitude: the harmonics' share."""
 

@@ -30,8 +30,7 @@ b = sympy.Symbol("b", positive=True)
 PLANT, FILTER, BACKLASH, FRICTION = sympy.symbols("G_m G_g N_r N_f")
 SAMPLES = 4096
 FRICTION_ITEM = "4F_c/(Aπ), Coulomb friction in the equivalent nonlinearity"
-COSINE_FORM = r"j\frac{4b}{\pi} \left(\frac{b}{A} - 1\right)"
-"""The imaginary part of equation 2.59, as TeX."""
+COSINE_FORM = r"j\frac{4b}{\pi} \left(\frac{b}{A} - 1\right)"  # The imaginary part of equation 2.59, as TeX
 UNITS = DIMENSIONS | {COULOMB: FORCE, b: LENGTH}
 
 

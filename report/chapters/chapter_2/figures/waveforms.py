@@ -21,12 +21,9 @@ from trimmer.arrays import Flags, Reals
 from trimmer.elements.backlashes.backlash import Backlash
 from trimmer.elements.backlashes.contact_equation import steady_motion
 
-AMPLITUDES: Final = (2.0, 3.5)
-"""Amplitudes of the two loops of figure 2.8, in half gaps b."""
-GAP: Final = 0.6
-"""Total clearance over the amplitude from figure 2.9 on."""
-GAMMAS: Final = (0.3, 1.0, 4.0)
-"""M omega / D of the loads in figure 2.11."""
+AMPLITUDES: Final = (2.0, 3.5)  # Amplitudes of the two loops of figure 2.8, in half gaps b
+GAP: Final = 0.6  # Total clearance over the amplitude from figure 2.9 on
+GAMMAS: Final = (0.3, 1.0, 4.0)  # M omega / D of the loads in figure 2.11
 PHASES: Final = np.linspace(0, 2 * np.pi, 481)
 CONTACT: Final[dict[str, Any]] = {"color": LINES[0]["color"], "linestyle": "solid", "linewidth": 2.4}
 LET_GO: Final[dict[str, Any]] = LINES[1]

@@ -22,10 +22,8 @@ METHOD = one_line(
     """
 )
 BY_LISTING = "exact simulation with the parameters of Listing A.1"
-SETTLED = 1e-6
-"""Share of the output by which the last two simulated periods may differ at the end of a run."""
-RELATIVE = 1e-4
-"""Accuracy to which harmonics without simulation agree with those of a run."""
+SETTLED = 1e-6  # Share of the output by which the last two simulated periods may differ at the end of a run
+RELATIVE = 1e-4  # Accuracy to which harmonics without simulation agree with those of a run
 
 
 def runs_with(evidence: Evidence, gap: float) -> list[DrivenRun]:

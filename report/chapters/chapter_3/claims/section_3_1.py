@@ -22,13 +22,11 @@ from report.numbers.proven import solutions_are_proven
 from report.numbers.thesis import LARGE_GAP, SAMPLE_RATE
 from trimmer import FrictionBacklash, limit_cycles
 
-DURATION, RESOLUTION, FRAMES = "0.1", "10", "2000"
-"""Of the experiment's record, as printed: s, Hz, frames."""
+DURATION, RESOLUTION, FRAMES = "0.1", "10", "2000"  # Of the experiment's record, as printed: s, Hz, frames
 STATED_FRAMES = int(FRAMES)
 LENGTH = "2000 frames, length of the experiment's record"
 OUTPUT = "y = x4 - x2, output map of section 3.1"
-FEWEST, MOST = 1000, 4000
-"""Numbers of samples, at 20 kHz, among which a grid for the tables is sought."""
+FEWEST, MOST = 1000, 4000  # Numbers of samples, at 20 kHz, among which a grid for the tables is sought
 
 
 @claim("eq-3.1")

@@ -16,8 +16,7 @@ from report.numbers.evidence import Evidence
 
 PRINTED_RATE = velocities[1] - velocities[0]
 PRINTED_FRICTION = product(FORCE, sympy.sign(total(velocities[1], -velocities[0])))
-PRINTED_SIGNS = (-1, 1, 0, 0)
-"""Sign of the friction in each line of equation 3.2."""
+PRINTED_SIGNS = (-1, 1, 0, 0)  # Sign of the friction in each line of equation 3.2
 SIGN_OF_FRICTION = "sign of Coulomb friction in equation 3.2"
 
 

@@ -17,10 +17,8 @@ from report.numbers.thesis import (
     TABLE_2,
 )
 
-FIFTH = "549.999"
-"""The other peak of figure 3.8, Hz."""
-BIN_OF_FIGURE = 1.0
-"""Widest bins of which both peaks are whole multiples together with their digits, Hz."""
+FIFTH = "549.999"  # The other peak of figure 3.8, Hz
+BIN_OF_FIGURE = 1.0  # Widest bins of which both peaks are whole multiples together with their digits, Hz
 PEAK_ITEM = f"{OPEN_LOOP_PEAK} Hz, peak of figure 3.8 that is no harmonic of the drive"
 SUBHARMONICS = "subharmonics, word for harmonics of the drive"
 

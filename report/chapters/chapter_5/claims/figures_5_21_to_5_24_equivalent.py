@@ -26,8 +26,7 @@ from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_exactly
 from report.numbers.thesis import DRIVE_OMEGA, LARGER_GAP, PLOT_OFFSET, ROUNDED, SMALL_GAP, TURN
 
-LISTING = friction_expression() - sympy.I * 4 * COULOMB / (sympy.pi * A * omega)
-"""N of Listing A.6."""
+LISTING = friction_expression() - sympy.I * 4 * COULOMB / (sympy.pi * A * omega)  # N of Listing A.6
 
 
 @claim("fig-5.21")

@@ -27,8 +27,7 @@ FIRST_LINE = "the first line in the spectrum of the waveform"
 PLOTTED = "the locus is plotted from b/2 + $10^{-6}$ m on, as in Listing A.9"
 GAMMAS = (1.05, 1.25, 1.45)
 LINE_6 = "line 6 of Listing A.5 has the wrong sign under its root, so that contact angles are complex"
-STABLE_SIDE = TURN * 600
-"""Angular frequency, rad/s, above which G is on the outer circle on its way to -1."""
+STABLE_SIDE = TURN * 600  # Angular frequency, rad/s, above which G is on the outer circle on its way to -1
 
 
 @claim("fig-5.5")

@@ -20,10 +20,8 @@ from report.numbers.relay_loop import VISCOUS
 from report.numbers.thesis import RELAY_LEVEL, ROUNDED, SMALL_GAP
 from trimmer import FrictionBacklash, harmonic_leakage
 
-STANDS_OUT = 0.01
-"""Share of the largest line below which another does not show beside it."""
-UNIT = 1e-8
-"""Unit of the last digit of the reading 3.303e-5, m."""
+STANDS_OUT = 0.01  # Share of the largest line below which another does not show beside it
+UNIT = 1e-8  # Unit of the last digit of the reading 3.303e-5, m
 BY_COEFFICIENTS = "Fourier coefficients of the exact orbit"
 
 

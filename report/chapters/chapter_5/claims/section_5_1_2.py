@@ -29,10 +29,8 @@ from trimmer.linear import (
 
 MUCH_SMALLER = 0.1
 HARMONICS = range(2, 40)
-CLEAR = 2.0
-"""Gain above which a peak is clearly visible."""
-ROLL_OFF_FROM = 4700.0
-"""Angular frequency above which the slope of the gain is examined, rad/s."""
+CLEAR = 2.0  # Gain above which a peak is clearly visible
+ROLL_OFF_FROM = 4700.0  # Angular frequency above which the slope of the gain is examined, rad/s
 HIGH_OMEGA = 1e8
 
 

@@ -24,8 +24,7 @@ PRINTED_EIGENVALUES = (
 )
 DECADE, READ_TO = 50.0, 0.5
 """Width of a decade in a plot over three of them on a page, and what can be told apart on it, mm."""
-READING_ACCURACY = 10 ** (READ_TO / DECADE) - 1
-"""Share to which a frequency can be read in a Bode plot."""
+READING_ACCURACY = 10 ** (READ_TO / DECADE) - 1  # Share to which a frequency can be read in a Bode plot
 PLOT_READ = f"a plot with {DECADE:.0f} mm a decade is read to {READ_TO} mm, {100 * READING_ACCURACY:.1f} %"
 EXACT_ROOTS, EXACT_SLOPE = "the roots of the exact polynomial", "the slope of the exact gain"
 

@@ -37,8 +37,7 @@ from trimmer.thesis import Displacement, TrimmerBody
 
 OUTPUT, SUM = np.array([0.0, 1.0, 0.0, -1.0]), np.ones(4)
 """Weights of the four displacements in the output of the thesis's loop, and in that of figure 5.4."""
-VISIBLE = 3
-"""Peaks that the output of the thesis shows with all of the damping."""
+VISIBLE = 3  # Peaks that the output of the thesis shows with all of the damping
 
 
 @claim("eq-5.3")

@@ -22,16 +22,11 @@ from report.numbers.time_stepping import lines_in_steps, steps
 from trimmer import FrictionBacklash
 
 LOOP_CLOSED = "the output is fed back: the loop of figure 2.5 with the drive as its reference, e = r - y"
-PRINTED_SIZE = 1.0
-"""Printed size of the output, mm."""
-ABOUT = 0.1
-"""Share by which an approximate size may be off."""
-REPEATS = 1e-6
-"""Share of the output by which two periods that are alike may differ."""
-NEAR = 2.0
-"""Distance from the limit cycle's frequency at which a line may still be said to be at it, Hz."""
-UNALTERED = 0.05
-"""Share by which an amplitude may change and still be called unaltered."""
+PRINTED_SIZE = 1.0  # Printed size of the output, mm
+ABOUT = 0.1  # Share by which an approximate size may be off
+REPEATS = 1e-6  # Share of the output by which two periods that are alike may differ
+NEAR = 2.0  # Distance from the limit cycle's frequency at which a line may still be said to be at it, Hz
+UNALTERED = 0.05  # Share by which an amplitude may change and still be called unaltered
 
 
 def open_loop(known: Evidence) -> AmplitudeRun:

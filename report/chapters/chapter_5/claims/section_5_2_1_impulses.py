@@ -16,8 +16,7 @@ from trimmer import FrictionBacklash, limit_cycles
 
 NO_OSCILLATION = "no oscillation for 1e-8 m and oscillation for 3e-8 m, simulated closed loop"
 """Thing that the text and figure 5.7 state."""
-EDGE = 2e-8
-"""Gap that the section takes for the smallest with a limit cycle, m."""
+EDGE = 2e-8  # Gap that the section takes for the smallest with a limit cycle, m
 
 
 @claim("txt-5.2.1-touching")

@@ -17,15 +17,12 @@ from report.numbers.exact_orbits import ExactOrbits
 from report.numbers.record import Record as Samples
 from report.numbers.thesis import LARGE_GAP, SMALL_GAP
 
-STATED = Samples(0.1, 1_000_231)
-"""The record of section 5.2.1."""
-ONE_SECOND = Samples(1.0, 1_000_231)
-"""As many samples over a second, so that bins are 1 Hz apart."""
+STATED = Samples(0.1, 1_000_231)  # The record of section 5.2.1
+ONE_SECOND = Samples(1.0, 1_000_231)  # As many samples over a second, so that bins are 1 Hz apart
 THIRD_OF_A_SECOND = Samples(0.3, 1_000_231)
 """A record whose bin nearest to the exact frequency has the printed digits; its length is not given."""
 PEAK = "734.00"
-SIMULATED_AMPLITUDE = "3.2995e-5 m, simulated amplitude for 4e-6 m"
-"""Thing that is printed for two gaps."""
+SIMULATED_AMPLITUDE = "3.2995e-5 m, simulated amplitude for 4e-6 m"  # Thing that is printed for two gaps
 
 
 def peak_part(orbits: ExactOrbits, label: str) -> ClaimPart:

@@ -20,15 +20,12 @@ from report.numbers.thesis import TURN
 from trimmer import InertiaBacklash, harmonic_leakage
 
 BY_DURATIONS = "by two durations, with SciPy's matrix exponential"
-ISOLATED = 1e-6
-"""Distance of a Floquet multiplier from one below which orbits may stand side by side."""
-PRINTED_OMEGA = 5.12e3
-"""Printed angular frequency of the limit cycle, rad/s."""
+ISOLATED = 1e-6  # Distance of a Floquet multiplier from one below which orbits may stand side by side
+PRINTED_OMEGA = 5.12e3  # Printed angular frequency of the limit cycle, rad/s
 FREQUENCY = "815 Hz, limit cycle predicted for inertia-controlled backlash"
 BAND = "732 to 856 Hz, band of stable limit cycles with higher harmonics"
 """Things that are printed in more than one place, or are judged in more than one reading."""
-THICK_BAND = (4.6e3, 5.38e3)
-"""Ends of that band, rad/s."""
+THICK_BAND = (4.6e3, 5.38e3)  # Ends of that band, rad/s
 HARMONICS = range(3, 40, 2)
 
 

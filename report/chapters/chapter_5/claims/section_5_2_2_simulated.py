@@ -24,11 +24,9 @@ OBSERVED = 660.0
 PEAK = "659"
 OPEN_LOOP_PEAK = "659 Hz, peak of the inertia-controlled open loop read as a limit cycle"
 """Thing that the text and figure 5.14 state."""
-LITTLE = 1.0
-"""Share of a frequency, in %, below which a shift does not explain one of 23 %."""
+LITTLE = 1.0  # Share of a frequency, in %, below which a shift does not explain one of 23 %
 SETTLED = 1e-6
-BIN = 10.0
-"""Width of a bin over 0.1 s, Hz."""
+BIN = 10.0  # Width of a bin over 0.1 s, Hz
 
 
 @claim("txt-5.2.2-error")

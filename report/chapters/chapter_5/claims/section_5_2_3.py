@@ -24,8 +24,7 @@ from report.numbers.limit_cycle_numbers import TIME_CONSTANTS
 from report.numbers.thesis import ROUNDED, TURN
 from trimmer import ViscousBacklash
 
-UPPER_END = "815"
-"""Upper end of the band of equation 5.10, Hz."""
+UPPER_END = "815"  # Upper end of the band of equation 5.10, Hz
 GAMMAS = (0.01, 0.1, 0.3, 1.0, 1.25, 1.5, 3.0, 10.0, 100.0)
 
 

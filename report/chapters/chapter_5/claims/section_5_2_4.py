@@ -30,12 +30,10 @@ RELAY = describing_function(relay_waveform(), A)
 FRICTION = describing_function(friction_waveform(), A)
 OSCILLATION = "an oscillation of high frequency with Coulomb friction"
 """Thing that the section and figure 5.19 state."""
-BOUND = 1.0
-"""Friction that the thesis takes for realistic, N; its upper bound."""
+BOUND = 1.0  # Friction that the thesis takes for realistic, N; its upper bound
 AGREEMENT = 1e-12
 """Share of the largest displacement that rounding may part two motions by: a hundred times what it does."""
-STEADY = 1.0
-"""Rate below which a frequency may be said to stay, 1/s."""
+STEADY = 1.0  # Rate below which a frequency may be said to stay, 1/s
 PLACES_WITHOUT_UNIT = "figures 5.18 to 5.20, 5.22 and 5.23"
 
 

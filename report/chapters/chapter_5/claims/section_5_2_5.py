@@ -26,8 +26,7 @@ BY_LISTING = "all solutions of harmonic balance with the listing's function"
 ONE_LIMIT_CYCLE = "one limit cycle with 0.6 N of friction and a gap of 4e-6 m"
 DIFFERENCE = "0.5705 %, difference of 737.514 Hz to friction-controlled backlash"
 """Things that are printed in more than one place."""
-DIED_OUT = 1e-9
-"""Share of the start that may be left of a motion that has died out."""
+DIED_OUT = 1e-9  # Share of the start that may be left of a motion that has died out
 
 
 @claim("txt-5.2.5-difference")

@@ -24,10 +24,8 @@ from report.numbers.listed_blocks import inertia_block
 from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
 from trimmer import FrictionBacklash, InertiaBacklash, ViscousBacklash, harmonic_leakage, response_at
 
-LITTLE = 0.05
-"""Share of the fundamental below which a harmonic that comes back is taken as filtered."""
-GAP = 0.5
-"""Gap at which python-control's backlash is run, in any unit."""
+LITTLE = 0.05  # Share of the fundamental below which a harmonic that comes back is taken as filtered
+GAP = 0.5  # Gap at which python-control's backlash is run, in any unit
 
 
 @claim("txt-5.2-assumptions")

@@ -17,8 +17,7 @@ from report.numbers.evidence import Evidence
 from report.numbers.independent.limit_cycles import friction_as_listed
 from report.numbers.thesis import SMALL_GAP, TURN
 
-PREDICTED = "3.3138e-5"
-"""Printed amplitude by harmonic balance, m."""
+PREDICTED = "3.3138e-5"  # Printed amplitude by harmonic balance, m
 QUOTED = {"section 5.2.1": "733.3", "its percent error": "733.34", "table 5.1 and section 5.2.5": "733.33"}
 """The frequency predicted for b = 4e-6 m, Hz, each place it is quoted."""
 

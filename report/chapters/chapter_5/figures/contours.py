@@ -26,8 +26,7 @@ View = tuple[tuple[float, float], tuple[float, float]]
 
 LIBRARY_GAP: Final = 1e-4
 GAMMAS: Final = (1.05, 1.25, 1.45)
-BAND: Final = (4.6e3, 5.38e3)
-"""Ends of the band of stable limit cycles that the thesis draws, rad/s."""
+BAND: Final = (4.6e3, 5.38e3)  # Ends of the band of stable limit cycles that the thesis draws, rad/s
 VIEW: Final = ((-1.45, -0.2), (-0.65, 0.35))
 """Part of the plane of figure 5.15: limits of the real and of the imaginary part."""
 OMEGA: Final = np.geomspace(500, 2e4, 6000)

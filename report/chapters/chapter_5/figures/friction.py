@@ -20,14 +20,10 @@ from report.pages.drawing.style import BLACK, DOTTED, LINES, new_figure, panels
 from trimmer import FrictionBacklash, pin_model
 from trimmer.linear import InputChannels
 
-SHOWN_FROM, SHOWN_TIME = 1e-8, 40e-6
-"""First and last time that is shown of the loop with friction, s."""
-EVERY: Final = 5
-"""One of so many swings is drawn."""
-LOADS: Final = (0.15, 0.25, 0.5)
-"""F_c/(k2 b) of the right contours: friction ends the limit cycles at 0.27."""
-NEAR_MODES: Final = (150.0, 850.0)
-"""Frequencies of figure 5.23b, Hz."""
+SHOWN_FROM, SHOWN_TIME = 1e-8, 40e-6  # First and last time that is shown of the loop with friction, s
+EVERY: Final = 5  # One of so many swings is drawn
+LOADS: Final = (0.15, 0.25, 0.5)  # F_c/(k2 b) of the right contours: friction ends the limit cycles at 0.27
+NEAR_MODES: Final = (150.0, 850.0)  # Frequencies of figure 5.23b, Hz
 
 
 @figure("fig-5.19")

@@ -18,8 +18,7 @@ from trimmer.arrays import Reals
 from trimmer.drawing.frequency_response import decibels
 from trimmer.linear import bandwidth_crossings, gain_crossings
 
-OMEGA = np.geomspace(1e2, 1e5, 3000)
-"""Frequencies of the Bode plots, rad/s; peaks are added to them."""
+OMEGA = np.geomspace(1e2, 1e5, 3000)  # Frequencies of the Bode plots, rad/s; peaks are added to them
 
 
 @figure("fig-5.1")

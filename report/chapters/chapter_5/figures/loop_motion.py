@@ -23,20 +23,15 @@ from trimmer.arrays import Reals
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.spectra import Window, amplitude_spectrum
 
-READING: Final = 33.03
-"""Printed reading of the crest in figure 5.9a, µm."""
-CREST: Final = 0.025
-"""Time to either side of the crest that is shown, over the period."""
+READING: Final = 33.03  # Printed reading of the crest in figure 5.9a, µm
+CREST: Final = 0.025  # Time to either side of the crest that is shown, over the period
 WINDOW: Final = 1.5e-3
 """Time over which smallest and largest value make one point of a band, s: more than a period."""
 SHOWN_PERIODS: Final = 4
-NEAR_PEAK: Final = (690.0, 780.0)
-"""Frequencies of figure 5.9b, Hz."""
+NEAR_PEAK: Final = (690.0, 780.0)  # Frequencies of figure 5.9b, Hz
 RECORDS: Final = (Record(1.0, 20_001), Record(0.1, 20_001))
-HIGHEST: Final = 1200.0
-"""Highest frequency that is shown, Hz."""
-FLOOR: Final = 0.1
-"""Smallest line that is shown, µm."""
+HIGHEST: Final = 1200.0  # Highest frequency that is shown, Hz
+FLOOR: Final = 0.1  # Smallest line that is shown, µm
 
 
 @figure("fig-5.7")

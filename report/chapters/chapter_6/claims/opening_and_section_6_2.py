@@ -22,12 +22,9 @@ from trimmer import FrictionBacklash, harmonic_leakage, limit_cycles
 from trimmer.balance.limit_cycle import NEAR_TANGENCY
 from trimmer.linear import asymptotic_roll_off
 
-EXACT = 1e-6
-"""Share below which an error counts as none."""
-NARROW = 1e-9
-"""Gap for which all limit cycles are sought, m; far below every threshold of the thesis."""
-HIGH_OMEGA = 1e8
-"""Angular frequency at which the slope of the gain is taken, rad/s."""
+EXACT = 1e-6  # Share below which an error counts as none
+NARROW = 1e-9  # Gap for which all limit cycles are sought, m; far below every threshold of the thesis
+HIGH_OMEGA = 1e8  # Angular frequency at which the slope of the gain is taken, rad/s
 
 
 @claim("txt-6-every-case")

@@ -9,8 +9,7 @@ from report.numbers.evidence import Evidence
 from report.numbers.independent.load_in_play import LetGoLoad
 from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA, EXPERIMENT_GAP, LARGE_GAP
 
-LARGEST_FORCE = 1.0
-"""Bound of the Coulomb force in sections 3.3, 5.2.4 and 5.2.5, N."""
+LARGEST_FORCE = 1.0  # Bound of the Coulomb force in sections 3.3, 5.2.4 and 5.2.5, N
 GAPS_QUOTED = {
     "section 3.2": "200e-6",
     "the simulation of it in section 3.3": "200e-6",

@@ -36,10 +36,8 @@ from report.numbers.thesis import (
 )
 from trimmer import LimitCycle, ViscousBacklash
 
-RELAY_FORCE, GAP = 0.15, 2e-3
-"""Of figure 5.21, N and m."""
-FAST, SLOW = TURN * 1e5, TURN * 10.0
-"""Angular frequencies far above that of the drive and below it, rad/s."""
+RELAY_FORCE, GAP = 0.15, 2e-3  # Of figure 5.21, N and m
+FAST, SLOW = TURN * 1e5, TURN * 10.0  # Angular frequencies far above that of the drive and below it, rad/s
 BY_ORBITS = "the ratio of the exact orbits' frequencies"
 
 

@@ -12,10 +12,8 @@ from report.numbers.linear_numbers import lightly_damped_response
 from report.numbers.thesis import DRIVE_FREQUENCY, TURN
 from trimmer import resonance_peaks, response_at
 
-PRECISELY = 0.5
-"""Distance within which a frequency lies precisely at another, Hz."""
-THIRD = 3
-"""Order of the lowest harmonic that an odd element adds."""
+PRECISELY = 0.5  # Distance within which a frequency lies precisely at another, Hz
+THIRD = 3  # Order of the lowest harmonic that an odd element adds
 
 
 @claim("txt-7-damping")
