@@ -18,13 +18,6 @@ OSCILLATOR_WITH_STOP = [
     (SpecialKind.GRAZING, 6.997666276),
 ]
 """An example of pyHarm, from 5 to 12 rad/s."""
-DEAD_ZONE = [
-    (SpecialKind.GRAZING, 0.8206310877),
-    (SpecialKind.FOLD, 0.8284639844),
-    (SpecialKind.FOLD, 0.7080316187),
-    (SpecialKind.GRAZING, 1.4070884660),
-]
-"""A body in a dead zone, from 0.5 to 1.6 rad/s."""
 
 
 @cache
@@ -60,8 +53,3 @@ def dead_zone(omega: float) -> Mechanism:
         forces={"drive": Force("body", constant=0.1, unbalance=0.05, phase=math.pi / 2.0)},
         outputs={},
     )
-
-
-@cache
-def in_a_dead_zone() -> FollowedBranch:
-    return follow(dead_zone(0.5), "frequency", 0.5 / TURN, 1.6 / TURN, settings=ALONE)

@@ -9,11 +9,9 @@ import pytest
 
 from tests.trimmer.branches.published import (
     ALONE,
-    DEAD_ZONE,
     OSCILLATOR_WITH_STOP,
     TURN,
     dead_zone,
-    in_a_dead_zone,
     oscillator_with_a_stop,
 )
 from trimmer import Body, FollowSettings, Force, Link, Mechanism, Play, SpecialKind, follow, forced_orbit
@@ -89,32 +87,9 @@ def test_oscillator_with_a_stop() -> None:
     assert (displacements.min(), displacements.max()) == pytest.approx((-22.02946, 13.45651), rel=1e-6)
 
 
-@pytest.mark.slow
-def test_dead_zone() -> None:
-    assert_special(in_a_dead_zone(), DEAD_ZONE, TURN, 1e-10)
-
-
 def twin(force: float = 1.0) -> Mechanism:
     mechanism = Mechanism.from_toml(EXAMPLES / "thesis-play.toml")
     return mechanism.with_value("frictions.blade.force", force)
-
-
-@pytest.mark.slow
-def test_first_case_of_the_trimmer() -> None:
-    branch = follow(twin(), "frequency", 110.0, "110.2 Hz", settings=FollowSettings(most_points=2))
-    orbit = branch.points[0]
-    assert orbit.periods == 1
-    assert orbit.events_per_period == 14.0
-    assert orbit.stable
-    measure = orbit.outputs["stroke"]
-    assert measure.peak_to_peak == pytest.approx(2.933334121400e-3, rel=1e-11)
-    expected = [1.50471470358e-3, 1.14721349311e-4, 3.3929164589e-5]
-    assert measure.harmonics[:5:2] == pytest.approx(expected, rel=1e-9)
-    assert abs(measure.harmonics[1::2]).max() < 1e-14
-    balanced = orbit.balanced(5), orbit.balanced(12)
-    assert all(each.converged for each in balanced)
-    # Dry friction jumps, so that the distance falls with the inverse of the number of harmonics only.
-    assert balanced[1].distance < 0.6 * balanced[0].distance < 0.15
 
 
 @pytest.mark.slow

@@ -75,17 +75,6 @@ def test_a_range_is_carried_with_its_middle(written: str, lowest: float, highest
     assert file.mechanism.value("plays.bridge.gap") == pytest.approx((lowest + highest) / 2)
 
 
-def test_what_is_unknown_is_assumed_from_the_rest() -> None:
-    file = read('gap = "40 um"', 'gap = "unknown"')
-    assert (file.ranges[0].lowest, file.ranges[0].highest) == pytest.approx((0.0, 0.1 * 3e-3))
-    file = read("force = 0.5", 'force = "unknown"')
-    assert file.ranges[0].highest == pytest.approx(3e-3 * (2 * math.pi * 110) ** 2 * 1.5e-3)
-    file = read("damping = 0.4", 'damping = "unknown"')
-    reduced = 1 / (1 / 0.035 + 1 / 0.003)
-    assert file.ranges[0].highest == pytest.approx(0.1 * 2 * math.sqrt(30e3 * reduced))
-    assert file.ranges[0].assumed
-
-
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [

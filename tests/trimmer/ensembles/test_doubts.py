@@ -3,7 +3,7 @@
 import numpy as np
 
 from trimmer.ensembles.crossings import Crossings, crossings
-from trimmer.ensembles.grid import FrequencyGrid, frequencies_near
+from trimmer.ensembles.grid import frequencies_near
 from trimmer.ensembles.other_poles import unstable_others
 from trimmer.ensembles.polishing import polished
 from trimmer.ensembles.responses import Responses, responses_of
@@ -15,13 +15,6 @@ THESIS = np.array([TrimmerParameters.thesis().values()])
 def response(output: str = "q2-q4") -> tuple[Responses, np.ndarray]:
     made = responses_of(THESIS, Displacement.parse(output), InputChannels.DISPLACEMENT_AND_VELOCITY)
     return made, np.roots(made.denominator[0])[None]
-
-
-def grid(h: list[float], lag: list[float]) -> FrequencyGrid:
-    points = len(h)
-    return FrequencyGrid(
-        np.linspace(1.0, 2.0, points)[None], np.full((1, points), True), np.array([lag]), np.array([h])
-    )
 
 
 def test_a_solution_outside_of_its_enclosure_is_not_found() -> None:

@@ -71,6 +71,14 @@ def test_the_thesis_has_its_two() -> None:
     assert found.exists.tolist() == [True]
 
 
+def test_numbers_and_rows_mix_and_keep_their_places() -> None:
+    m2, k1 = THESIS["m2"], THESIS["k1"]
+    varied = sampled_limit_cycles({"m2": [m2, 1.1 * m2], "k1": k1}, gap=[4e-5, 8e-5])
+    plain = sampled_limit_cycles({}, gap=4e-5)
+    assert varied.omega[0] == pytest.approx(plain.omega[0], rel=1e-9)
+    assert varied.omega[1] != pytest.approx(plain.omega[0], rel=1e-4)
+
+
 def test_what_the_base_is_does_not_matter_where_every_parameter_is_sampled() -> None:
     samples, gaps = random_samples(6, 5, 0.2)
     undamped = TrimmerParameters(**{**THESIS, "c1": 0.0, "c2": 0.0, "c3": 0.0, "c4": 0.0})
@@ -114,6 +122,9 @@ def test_no_trimmers_give_no_limit_cycles() -> None:
     ("samples", "gap", "error", "told"),
     [
         ({"m5": [1.0]}, 1e-5, ParameterError, "there is no parameter 'm5'"),
+        ({"m22": 1.0}, 1e-5, ParameterError, r"no parameter 'm22'; did you mean m2\?"),
+        ({"weight": 1.0}, 1e-5, ParameterError, "no parameter 'weight'; there are m1, m2"),
+        ({"m2": [[0.003]]}, 1e-5, ValueError, "rows of one length"),
         ({"m2": [0.003, -1.0]}, 1e-5, ParameterError, r"m2 = -1.0 \(sample 1\)"),
         ({"c1": [0.003, np.nan]}, 1e-5, ParameterError, r"c1 = nan \(sample 1\)"),
         ({"m2": [0.003, 0.003]}, [1e-5] * 3, ValueError, "rows of one length"),

@@ -2,7 +2,6 @@
 
 import itertools
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -45,20 +44,6 @@ def test_it_comes_closer_to_the_exact_orbit_with_each_harmonic() -> None:
         distances.append(abs(balance.coefficients[0] - exact[: order + 1]).max())
     assert all(later < 0.3 * earlier for earlier, later in itertools.pairwise(distances))
     assert distances[-1] < 1e-4
-
-
-def test_a_linear_mechanism_is_solved_at_once() -> None:
-    mechanism = Mechanism(
-        bodies={"body": Body(2.0)},
-        frequency=1.0,
-        pins={"base": Pin("ground", amplitude=0.3, phase=0.4, offset=0.1)},
-        links={"spring": Link(("base", "body"), 50.0, 1.5)},
-    )
-    balance = harmonic_balance_of(mechanism, np.zeros((1, 4), dtype=complex))
-    omega = 2.0 * np.pi
-    stiffness = 50.0 + 1.5j * omega
-    first = stiffness / (stiffness - 2.0 * omega**2) * 0.3 * np.exp(0.4j) / 1j
-    assert balance.coefficients[0] == pytest.approx(np.array([0.1, first, 0.0, 0.0]), abs=1e-14)
 
 
 def test_sliding_friction_against_den_hartog() -> None:
@@ -177,15 +162,6 @@ def test_play_stop_and_friction_balance_with_inertia_and_springs() -> None:
     linear = np.column_stack([of_links(DRIVE * n) @ q[:, n] for n in range(count)])
     assert linear + harmonics == pytest.approx(driving(periods, count), abs=2e-3)
     assert abs(harmonics[:, 1:]).max() > 0.5
-
-
-def test_viscous_friction_is_a_damper_between_its_ends() -> None:
-    rubbing = two_bodies(frictions={"rub": Friction(("belt", "blade"), 0.0, viscous=0.8)})
-    plain = two_bodies()
-    damped = replace(plain, links={**plain.links, "drag": Link(("belt", "blade"), 0.0, 0.9 + 0.8)})
-    guess = np.zeros((2, 5), dtype=complex)
-    first, second = (harmonic_balance_of(each, guess) for each in (rubbing, damped))
-    assert first.coefficients == pytest.approx(second.coefficients, abs=1e-14)
 
 
 def test_without_a_way_to_balance_the_search_ends() -> None:
