@@ -49,6 +49,8 @@ class Given:
 class Single:
     """What all these maps share."""
 
+    size = 1
+    mirrored = False
     doublings = 0
     single = None
 
@@ -63,9 +65,6 @@ class Single:
 class Logistic(Single):
     """x -> r x (1 - x)."""
 
-    size: int = 1
-    mirrored: bool = False
-
     def passage(self, value: float, state: np.ndarray) -> Given:
         rest = state * (1.0 - state)
         return Given(value * rest, np.array([[value * (1.0 - 2.0 * state[0])]]), rest, abs(state))
@@ -79,7 +78,6 @@ class Henon(Single):
     units: tuple[float, float] = (1.0, 1.0)
     unit_of_value: float = 1.0
     size: int = 2
-    mirrored: bool = False
 
     def passage(self, value: float, state: np.ndarray) -> Given:
         units, a = np.array(self.units), value / self.unit_of_value
@@ -95,7 +93,6 @@ class DelayedLogistic(Single):
     """(x, y) -> (r x (1 - y), x): a torus parts at r = 2."""
 
     size: int = 2
-    mirrored: bool = False
 
     def passage(self, value: float, state: np.ndarray) -> Given:
         x, y = state
@@ -114,8 +111,6 @@ class Bent(Single):
 
     left: float
     right: float
-    size: int = 1
-    mirrored: bool = False
     phase: Phase = Phase.UPPER
 
     def passage(self, value: float, state: np.ndarray) -> Given:
@@ -129,7 +124,6 @@ class Cubic(Single):
     """x -> (1 + p) x - x³, its mirror image taken if it is mirrored: symmetry is lost at p = 0."""
 
     mirrored: bool = False
-    size: int = 1
 
     def passage(self, value: float, state: np.ndarray) -> Given:
         sign = -1.0 if self.mirrored else 1.0
@@ -140,9 +134,6 @@ class Cubic(Single):
 @dataclass(frozen=True)
 class Ring(Single):
     """x -> x - (x² + p² - 1) / 5: the fixed points lie on a circle."""
-
-    size: int = 1
-    mirrored: bool = False
 
     def passage(self, value: float, state: np.ndarray) -> Given:
         end = state - 0.2 * (state**2 + value**2 - 1.0)
@@ -155,8 +146,6 @@ class Twice(Single):
 
     first: float
     second: float
-    size: int = 1
-    mirrored: bool = False
 
     def passage(self, value: float, state: np.ndarray) -> Given:
         beyond = (value - self.first) * (value - self.second)
@@ -169,8 +158,6 @@ class Steps(Single):
     """x -> x / 2 + |p - a| + |p - b| + x_0 with a contact for each kink, near as they are."""
 
     kinks: tuple[float, ...]
-    size: int = 1
-    mirrored: bool = False
 
     def passage(self, value: float, state: np.ndarray) -> Given:
         made = {(f"stop {each}", Phase.LOWER): int(value > each) for each in self.kinks}
@@ -182,9 +169,6 @@ class Steps(Single):
 class Torn(Single):
     """x -> x / 2 + p, and 1 more from p = 0 on: the fixed point jumps."""
 
-    size: int = 1
-    mirrored: bool = False
-
     def passage(self, value: float, state: np.ndarray) -> Given:
         sticks = {("blade", Phase.STICK): int(value > 0.0)}
         end = 0.5 * state + value + (value > 0.0)
@@ -194,9 +178,6 @@ class Torn(Single):
 @dataclass(frozen=True)
 class Failing(Single):
     """x -> x / 2 + p for p < 1/2; beyond that the motion cannot be followed."""
-
-    size: int = 1
-    mirrored: bool = False
 
     def passage(self, value: float, state: np.ndarray) -> Given:
         if value >= 0.5:
