@@ -90,28 +90,6 @@ def test_over_many_steps_and_periods_it_is_the_flow(duration: float) -> None:
     np.testing.assert_allclose(derivative(mechanism, duration), expected, rtol=0, atol=1e-12)
 
 
-def by_differences(mechanism: Mechanism, duration: float, state: np.ndarray, steps: np.ndarray) -> np.ndarray:
-    columns = [
-        (
-            simulate(mechanism, duration, state=state + row).states(duration)
-            - simulate(mechanism, duration, state=state - row).states(duration)
-        )
-        / (2 * row.sum())
-        for row in np.diag(steps)
-    ]
-    return np.array(columns).T
-
-
-@pytest.mark.parametrize("law", [ContactLaw.TRUNCATED, ContactLaw.PULLING])
-def test_play_and_sliding_friction(law: ContactLaw) -> None:
-    mechanism = trimmer(law)
-    period, scales = 1 / mechanism.frequency, np.array([1e-3] * 4 + [1.0] * 4)
-    state = simulate(mechanism, 20 * period).states(20 * period)
-    expected = by_differences(mechanism, period, state, 1e-6 * scales) * scales / scales[:, None]
-    found = derivative(mechanism, period, state) * scales / scales[:, None]
-    assert abs(found - expected).max() < 1e-5 * abs(expected).max()
-
-
 def test_a_relaxing_spring_that_contact_sets_again_is_forgotten() -> None:
     relaxing, truncated = (forced_orbit(trimmer(law)).multipliers for law in list(ContactLaw)[:2])
     # The laws give nearly the same motion, as the digits of the definition do too.

@@ -43,36 +43,6 @@ def test_a_gear_pair_without_backlash_is_one_axis() -> None:
     assert squares.min() == pytest.approx(shaft / (first + ratio**2 * second), rel=1e-6)
 
 
-def slider(arm: float | None) -> Mechanism:
-    """A body with friction that knocks on another one, as a mass or as what turns at an arm."""
-    by = 1.0 if arm is None else arm
-    body = Body(0.05) if arm is None else Body(inertia=0.05 * by**2)
-    end = "body" if arm is None else "end"
-    return Mechanism(
-        {"body": body, "slide": Body(0.03)},
-        40.0,
-        points={} if arm is None else {"end": Point({"body": by}, by_length=True)},
-        links={
-            "hold": Link(("ground", "body"), 3e3 * by**2, 1.2 * by**2),
-            "return": Link(("ground", "slide"), 2e3, 1.0),
-        },
-        plays={"joint": Play((end, "slide"), 15e3, 2.0, 1e-4)},
-        frictions={"rub": Friction(("ground", "body"), 0.3 * by, 0.4 * by)},
-        forces={"push": Force("body", amplitude=3.0 * by)},
-        outputs={"slide": Output({"slide": 1.0}), "end": Output({end: 1.0})},
-    )
-
-
-@pytest.mark.parametrize("arm", quick((1e-4, 1.0, 1e3), 0))
-def test_an_arm_of_any_length_gives_the_motion_of_the_mass_at_its_end(arm: float) -> None:
-    plain, lever = respond(slider(None)), respond(slider(arm))
-    assert plain.motion.drive_periods == lever.motion.drive_periods
-    assert plain.motion.events_per_period == lever.motion.events_per_period
-    assert lever.motion.peak_to_peak == pytest.approx(plain.motion.peak_to_peak, rel=1e-12)
-    moduli = [sorted(abs(each.motion.orbit.multipliers)) for each in (plain, lever)]
-    np.testing.assert_allclose(*moduli, rtol=1e-8, atol=1e-12)
-
-
 def test_power_is_kept_by_points_with_every_part_on_them() -> None:
     """Pins, forces, frictions, contacts and links on levers: what goes in is stored or lost."""
     mechanism = Mechanism(
