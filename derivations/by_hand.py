@@ -1,7 +1,5 @@
 """One equation of motion worked by hand, term by term: that of the cutter."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.algebra.identity import require_equal

@@ -1,7 +1,5 @@
 """Dimension check of every derived equation of the linear trimmer."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 

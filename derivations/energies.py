@@ -1,7 +1,5 @@
 """Kinetic energy, potential energy and Rayleigh's dissipation function of a mechanism."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.mechanism import Mechanism, elongation, elongation_rate

@@ -1,7 +1,5 @@
 """Equations of motion from the Lagrangian and the dissipation function (thesis, equations 2.2 and 2.6)."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import lru_cache
 

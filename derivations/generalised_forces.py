@@ -1,7 +1,5 @@
 """Generalised forces of contacts, dry frictions and given forces, from their virtual work."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.mechanism import Mechanism, displacement, elongation

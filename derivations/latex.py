@@ -1,7 +1,5 @@
 """LaTeX of the derivations: dots for time derivatives, functions of time without their argument."""
 
-from __future__ import annotations
-
 import re
 import string
 from typing import Any

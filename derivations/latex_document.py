@@ -1,7 +1,5 @@
 """The LaTeX documents that ``trimmer derive`` writes: of the thesis's trimmer, and of any mechanism."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 

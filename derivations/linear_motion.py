@@ -1,7 +1,5 @@
 """Energies and equations of motion of any mechanism as one record, checked in two ways."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import sympy

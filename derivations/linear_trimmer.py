@@ -1,7 +1,5 @@
 """The whole derivation of the linear trimmer as one record, from energies to transfer functions."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import lru_cache
 

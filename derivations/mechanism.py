@@ -4,8 +4,6 @@ All motion is along one line. ``trimmer`` is that of the thesis (section 2.2.1 a
 pin sits on the motor's shaft, so its position is the motor's displacement plus the eccentric one.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import sympy

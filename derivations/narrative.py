@@ -3,8 +3,6 @@
 Prose is plain text with TeX mathematics between dollar signs, fit for Markdown and for LaTeX alike.
 """
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.by_hand import worked_equation

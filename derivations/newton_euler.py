@@ -5,8 +5,6 @@ pin acts on what carries it, and one on a point on each of its bodies as the lev
 in proportion to its weight. No energy is used.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import sympy

@@ -3,8 +3,6 @@
 Units are those of translations; a rotation has rad in place of m, N m of N, kg m² of kg, and so on.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from enum import Enum
 

@@ -3,8 +3,6 @@
 It changes by the power of pins and given forces, less what dampers, frictions and contacts take.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import sympy

@@ -3,8 +3,6 @@
 Source: thesis, equations 2.10 to 2.14.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import sympy

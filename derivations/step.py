@@ -4,8 +4,6 @@ Prose is Markdown of the simplest kind: text, TeX mathematics between dollar sig
 and punctuation behind a backslash, which then means nothing; ``latex_prose`` gives it as LaTeX.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any

@@ -1,7 +1,5 @@
 """Every symbol of the derivations, declared once with its meaning and its SI unit."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import sympy

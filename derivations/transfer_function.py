@@ -1,7 +1,5 @@
 """Transfer functions with symbolic coefficients, from the Laplace transform of the equations of motion."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

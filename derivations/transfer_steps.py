@@ -1,7 +1,5 @@
 """The transfer function of the trimmer step by step: how it is solved for, and all its coefficients."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.latex import latex

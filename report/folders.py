@@ -1,7 +1,5 @@
 """Where the files beside the code are: in a checkout at the top, in an installed package inside of it."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 PACKAGE = Path(__file__).parent

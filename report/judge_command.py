@@ -1,7 +1,5 @@
 """``trimmer judge FOLDER``: judge a text of one's own, and write the report on it."""
 
-from __future__ import annotations
-
 from argparse import ArgumentParser, Namespace
 from functools import partial
 from pathlib import Path

@@ -3,8 +3,6 @@
 Takes a minute or two and needs the package index, so it is not one of the tests: run ``make check-install``.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -6,8 +6,6 @@
 Left out are source paths, the chapter "Code" and the provenance. The text of the PDF needs pdftotext.
 """
 
-from __future__ import annotations
-
 import argparse
 import contextlib
 import difflib

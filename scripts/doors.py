@@ -4,8 +4,6 @@
 A listed file has a reason; one that touches nothing any more has to leave the list.
 """
 
-from __future__ import annotations
-
 import argparse
 import ast
 import csv

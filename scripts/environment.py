@@ -4,8 +4,6 @@ It is safe against an interrupt at any place, and against a second one that runs
 finished says so and is begun anew, and who comes second waits. Only the standard library is there.
 """
 
-from __future__ import annotations
-
 import argparse
 import os
 import shutil

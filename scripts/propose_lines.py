@@ -5,8 +5,6 @@
 ``propose_lines.py COPY --missing`` the ids of the claims that give no lines, one a line.
 """
 
-from __future__ import annotations
-
 import argparse
 import csv
 import sys

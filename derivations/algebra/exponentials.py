@@ -7,8 +7,6 @@ cyclotomic polynomial. A numerator of zero proves the identity; another one disp
 may be related in ways that are not looked for.
 """
 
-from __future__ import annotations
-
 import sympy
 from sympy.polys.fields import field
 

@@ -6,8 +6,6 @@ sines and cosines as exponentials, or by SymPy's simplification. Where reduction
 left, and the proof says so.
 """
 
-from __future__ import annotations
-
 import random
 from dataclasses import dataclass, replace
 from functools import cache

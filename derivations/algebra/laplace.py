@@ -1,7 +1,5 @@
 """State space in the Laplace domain, with a general system of two states (thesis, equations 2.17 to 2.21)."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import sympy

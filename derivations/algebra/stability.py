@@ -1,7 +1,5 @@
 """Facts about stability that the thesis rests on: argument principle, closed loop, bound on exp(A t)."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.symbols import s, t

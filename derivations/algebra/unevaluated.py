@@ -1,7 +1,5 @@
 """Sums and products that SymPy neither reorders nor multiplies out, for formulas that are shown."""
 
-from __future__ import annotations
-
 import sympy
 
 

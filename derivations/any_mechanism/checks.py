@@ -1,7 +1,5 @@
 """Dimension check of every derived expression of a mechanism."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 
 import sympy

@@ -5,8 +5,6 @@ stretched by z and carry T = k z + c ż. Source of the relaxing law: Nordin, Gal
 Control Signal Process. 11, 1997.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import sympy

@@ -1,7 +1,5 @@
 """The laws of curves: forces that are straight between points, as statements beside the equations."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """The whole derivation of any mechanism as one record, from energies to state space and contact laws."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from derivations.any_mechanism.contact_law import ContactStatement, contact_statement

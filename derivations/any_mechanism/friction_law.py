@@ -1,7 +1,5 @@
 """The law of dry friction with stick, as a statement beside the equations of motion."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import sympy

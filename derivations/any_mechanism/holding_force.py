@@ -1,7 +1,5 @@
 """The force that keeps two ends from accelerating against each other."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.equations_of_motion import accelerations

@@ -1,7 +1,5 @@
 """The derivation of any mechanism step by step, told as that of the thesis's trimmer is."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import sympy

@@ -1,7 +1,5 @@
 """A module of plain Python functions that give the matrices of a mechanism from its numbers."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 
 import sympy

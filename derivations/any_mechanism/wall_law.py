@@ -1,7 +1,5 @@
 """The laws of rigid walls: impact, and rest at the gap, as statements beside the equations of motion."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import sympy

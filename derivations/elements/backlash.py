@@ -6,8 +6,6 @@ backlash are limits of this one element. The cases are those of Gelb and Vander 
 Describing Functions (1968); the derivation is from mechanics.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache
 

@@ -4,8 +4,6 @@ Symbols are those of derivations/elements/backlash_harmonics.py. An integral is 
 segment of the waveform, in m rad; N_n is a number (m/m).
 """
 
-from __future__ import annotations
-
 import sympy
 from sympy import cos, exp, pi, sin
 

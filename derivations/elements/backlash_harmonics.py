@@ -4,8 +4,6 @@ Half a period runs from the separation at φ_s over the free flight λ to the im
 the contact ℓ = π - λ to the next separation. Without inertia φ_s is π/2, without friction 0.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache
 

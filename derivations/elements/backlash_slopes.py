@@ -4,8 +4,6 @@ The first harmonic is a function of φ_s, φ_c and E = exp(-(φ_c - φ_s) tan φ
 a change at constant γ is one at constant φ_s, and a change at constant g/A moves φ_s and φ_c together.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import sympy

@@ -5,8 +5,6 @@ are of Rayleigh's function (Lurie, Analytical Mechanics, 2002, section 5.7): the
 negative derivative by the body's own velocity.
 """
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.elements.friction import FORCE

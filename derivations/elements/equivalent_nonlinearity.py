@@ -4,8 +4,6 @@ In figure 2.15 friction acts on the velocity v of the plant G_m, backlash on the
 feed back into the plant. With the integrator G_g = 1/s the friction term becomes one of the displacement.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import sympy

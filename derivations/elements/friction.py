@@ -1,7 +1,5 @@
 """Coulomb friction, the ideal relay and viscous friction under a sinusoid A sin θ (thesis, 2.48 to 2.52)."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import sympy

@@ -5,8 +5,6 @@ SymPy's own integration answers with case distinctions where the harmonic is a s
 sum of powers times exponentials, each with a known antiderivative, and the sum is differentiated back.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import sympy

@@ -14,8 +14,6 @@ Backlash between pin and bridge makes no difference if the bridge is displaced, 
 backlash the pin's motion is another periodic one, which depends on nothing that happens after it.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache
 from itertools import product

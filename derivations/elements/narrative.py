@@ -1,7 +1,5 @@
 """The derivation of the describing functions step by step, with a proof of each closed form."""
 
-from __future__ import annotations
-
 from functools import cache
 
 from derivations.elements.proven_step import ProvenStep

@@ -1,7 +1,5 @@
 """A step of a derivation whose equations are proven before it is shown."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass

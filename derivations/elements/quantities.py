@@ -1,7 +1,5 @@
 """The symbols of the describing functions, each with its meaning and SI unit, for the nomenclature."""
 
-from __future__ import annotations
-
 from derivations.elements.backlash import CONTACT, GAMMA, GAP, SEPARATION
 from derivations.elements.backlash_harmonics import CONTACT_ANGLE, DECAY, FLIGHT, IMPACT_VELOCITY
 from derivations.elements.friction import DAMPING, FORCE, LEVEL

@@ -5,8 +5,6 @@ appendix B; Slotine and Li, Applied Nonlinear Control (1991), section 5.2; Ather
 Engineering (1975), chapter 3.
 """
 
-from __future__ import annotations
-
 import sympy
 from sympy import asin, cos, pi, sin
 

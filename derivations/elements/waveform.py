@@ -1,7 +1,5 @@
 """A periodic output given by segments of one period, its Fourier coefficients and its describing function."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache
 

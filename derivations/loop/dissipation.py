@@ -1,7 +1,5 @@
 """The proof of incremental dissipation as a step: a driven trimmer with dry friction forgets its start."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.algebra.identity import UnprovenError

@@ -1,7 +1,5 @@
 """Harmonic balance: the condition 1 + N G = 0 from the loop, and Newton's method for its solution."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.algebra.unevaluated import product, total

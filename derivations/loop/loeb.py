@@ -1,7 +1,5 @@
 """Loeb's rule: whether a small change of the amplitude dies away, from the condition of harmonic balance."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.algebra.unevaluated import total

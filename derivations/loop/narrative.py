@@ -1,7 +1,5 @@
 """The steps about the loop, in their order, every equation proven."""
 
-from __future__ import annotations
-
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.loop.dissipation import dissipation_step
 from derivations.loop.harmonic_balance import balance_step, solution_step

@@ -1,7 +1,5 @@
 """Putting the report together from what was derived, solved, judged and drawn."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any

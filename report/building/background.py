@@ -1,7 +1,5 @@
 """Work that goes on in other processes, so that a build uses all cores."""
 
-from __future__ import annotations
-
 import multiprocessing
 import os
 import time

@@ -1,7 +1,5 @@
 """Building the report: its content, taken from the last build if nothing has changed, and its files."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace

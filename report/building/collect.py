@@ -1,7 +1,5 @@
 """The records of all chapters: found by looking through the modules, put in the order of the inventory."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from importlib import import_module

@@ -1,7 +1,5 @@
 """The chapters beside those of the thesis, and what makes each."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final, final

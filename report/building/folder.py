@@ -1,7 +1,5 @@
 """A folder with a text that somebody else wrote, its list of statements, and the Python that judges them."""
 
-from __future__ import annotations
-
 import csv
 import re
 import tomllib

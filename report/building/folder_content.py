@@ -1,7 +1,5 @@
 """Judging a folder: its modules are imported and run, since whoever calls for it wrote them."""
 
-from __future__ import annotations
-
 import importlib
 import sys
 import traceback

@@ -1,7 +1,5 @@
 """Progress bars and times of the stages of a build."""
 
-from __future__ import annotations
-
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence

@@ -1,7 +1,5 @@
 """What the claims of a folder say, tried before pages are made of it: a fault is told with file and claim."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The stages that make the report's content: derive, solve, judge, draw and assemble."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import cache, partial
 from importlib.metadata import version

@@ -1,7 +1,5 @@
 """Tasks of a build: what is kept from the last one is taken, the rest is done in several processes."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any

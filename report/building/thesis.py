@@ -1,7 +1,5 @@
 """The thesis as a text that is judged."""
 
-from __future__ import annotations
-
 from typing import Final
 
 from report.document.subject import Subject, usual_meanings

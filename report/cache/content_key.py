@@ -4,8 +4,6 @@ It is a digest of every source and data file of the three packages, the versions
 Python. With it a build that has nothing to do need not import SymPy to find that out.
 """
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Iterable, Mapping
 from importlib.metadata import version

@@ -7,8 +7,6 @@ python-control, and the frozen dataclasses, named tuples and enumerations of thi
 nothing else.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections.abc import Callable, Mapping

@@ -1,7 +1,5 @@
 """SymPy's expressions and python-control's systems, taken apart into data and put together again."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

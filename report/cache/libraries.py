@@ -1,7 +1,5 @@
 """The libraries that results depend on, and their versions."""
 
-from __future__ import annotations
-
 import platform
 from importlib.metadata import version
 

@@ -1,7 +1,5 @@
 """Which source files a module depends on, read from their import statements without running anything."""
 
-from __future__ import annotations
-
 import ast
 import hashlib
 import platform

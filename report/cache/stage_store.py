@@ -1,7 +1,5 @@
 """Results of the stages of a build, kept for as long as nothing that they depend on has changed."""
 
-from __future__ import annotations
-
 import os
 import time
 from collections.abc import Callable, Iterator

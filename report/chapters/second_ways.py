@@ -1,7 +1,5 @@
 """Second ways and methods that claims share; what they compute is in ``report.numbers.independent``."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import control

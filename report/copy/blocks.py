@@ -1,7 +1,5 @@
 """What a text copy consists of: headings, running text, displayed formulas, captions, listings, footnotes."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass

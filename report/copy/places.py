@@ -1,7 +1,5 @@
 """Where things stand in a text copy: sections, paragraphs, and what carries a number."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Reading the reader's own text copy of the thesis, and comparing it with the one that was judged."""
 
-from __future__ import annotations
-
 import hashlib
 from dataclasses import dataclass
 from pathlib import Path

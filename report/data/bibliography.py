@@ -1,7 +1,5 @@
 """The works whose methods this report uses, and where it names them."""
 
-from __future__ import annotations
-
 import csv
 import re
 from dataclasses import dataclass

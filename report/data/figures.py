@@ -1,7 +1,5 @@
 """Figures of the thesis's report, whose words stand in ``figures.toml``."""
 
-from __future__ import annotations
-
 import tomllib
 from collections.abc import Callable, Mapping
 from functools import cache

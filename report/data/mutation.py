@@ -1,7 +1,5 @@
 """How many random changes of this program are noticed: as ``make mutate`` has measured it last."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import dataclass
 from datetime import date

@@ -1,7 +1,5 @@
 """The statements of the thesis that are judged, their titles and sections, and which follows from which."""
 
-from __future__ import annotations
-
 import csv
 from collections.abc import Mapping
 from dataclasses import dataclass

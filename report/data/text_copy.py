@@ -1,7 +1,5 @@
 """What was read: the thesis as far as its text copy has it, and that copy."""
 
-from __future__ import annotations
-
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path

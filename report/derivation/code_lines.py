@@ -1,7 +1,5 @@
 """The lines of code behind a step: of each function that it names, the file, the place and the text."""
 
-from __future__ import annotations
-
 import inspect
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace

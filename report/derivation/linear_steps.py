@@ -1,7 +1,5 @@
 """The linear trimmer with numbers: coefficients, modes, frequency response, Nyquist locus, motion in time."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction

@@ -4,8 +4,6 @@ Symbols that the derivations declare bring meaning and unit along; the others st
 ``report/data/nomenclature.csv``. A letter with two meanings has a line for each.
 """
 
-from __future__ import annotations
-
 import csv
 import re
 from collections.abc import Iterable, Iterator, Mapping

@@ -1,7 +1,5 @@
 """The steps from the derived equations to numbers of the thesis's trimmer, in the order of the derivation."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from derivations.loop.narrative import loop_narrative

@@ -1,7 +1,5 @@
 """Pictures of the waveforms that the describing functions are derived from, drawn from the derivation."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Final
 

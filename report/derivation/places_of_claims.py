@@ -4,8 +4,6 @@ A claim on an equation that a step shows rests on that step. Every other one res
 ``report/data/steps.csv`` names for it, or else for the file that its record names as its source.
 """
 
-from __future__ import annotations
-
 import csv
 from collections.abc import Iterable, Mapping
 from pathlib import Path

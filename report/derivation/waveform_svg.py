@@ -1,7 +1,5 @@
 """A waveform as a small SVG: text stays text, and the page gives the colours."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """What the report says of controllers that follow steps: sentences, tables and pictures."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from functools import partial

@@ -1,7 +1,5 @@
 """Making the report on a design: look at it, draw, render, write."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager

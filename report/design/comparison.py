@@ -1,7 +1,5 @@
 """The report on two designs side by side, finished and frozen."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import partial
 from typing import final

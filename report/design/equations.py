@@ -1,7 +1,5 @@
 """The equations of a mechanism, from its derivation."""
 
-from __future__ import annotations
-
 from derivations.any_mechanism.derivation import derive_mechanism
 from derivations.any_mechanism.narrative import mechanism_narrative
 from derivations.latex import latex

@@ -1,7 +1,5 @@
 """The report on a design as Markdown, in pieces that follow each other."""
 
-from __future__ import annotations
-
 import functools
 from typing import Any
 

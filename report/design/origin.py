@@ -1,7 +1,5 @@
 """What a report on designs was made from, and when."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import UTC, datetime

@@ -1,7 +1,5 @@
 """All pictures of a design, by the names under which its text asks for them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from functools import partial
 

@@ -1,7 +1,5 @@
 """Lines for who waits: what is being done and what time is left, on standard error and in a file."""
 
-from __future__ import annotations
-
 import sys
 import time
 from dataclasses import dataclass, field

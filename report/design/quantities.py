@@ -1,7 +1,5 @@
 """Numbers with units as a reader wants them: with a prefix that fits, and few digits."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass

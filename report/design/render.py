@@ -1,7 +1,5 @@
 """Writing the report on a design as HTML and PDF."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 
 from report.design.report import Report

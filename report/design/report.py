@@ -1,7 +1,5 @@
 """Everything that the report on a design shows, finished and frozen."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Sentences of the report that depend on what was found: plain text, or Markdown where the type says so."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 import numpy as np

@@ -3,8 +3,6 @@
 They are plain text, or Markdown where the type says so.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from report.design.pictures import important

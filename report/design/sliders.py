@@ -1,7 +1,5 @@
 """The sliders of the report: numbers of the mechanism, and the motions that were solved for as they move."""
 
-from __future__ import annotations
-
 import json
 import math
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Rows of the report's tables; the first row is the head. Cells are plain text, or Markdown by their type."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable
 

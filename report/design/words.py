@@ -1,7 +1,5 @@
 """What was found, in words: targets, verdicts, motions, special points."""
 
-from __future__ import annotations
-
 import math
 
 from report.design.axis import MEASURES, hunting_words, step_value

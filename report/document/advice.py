@@ -1,7 +1,5 @@
 """A line of advice as a box of numbers that others can test, and the file that holds all of them."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Everything the report shows, finished and frozen: templates only loop over it and print it."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final

@@ -1,7 +1,5 @@
 """The text that a report judges: all that a build has to know of it, whichever text it is."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import final

@@ -1,7 +1,5 @@
 """The chapters of the thesis with what was found in them, and what the report was made from."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from report.judging.finding import Finding

@@ -3,8 +3,6 @@
 Every function returns the expressions that the page computes; ``report.explorable.script`` prints them.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import sympy

@@ -1,7 +1,5 @@
 """The explorable of the thesis's trimmer: its sliders, its panels, its formulas, and a picture for print."""
 
-from __future__ import annotations
-
 import math
 from typing import Final
 

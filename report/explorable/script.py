@@ -1,7 +1,5 @@
 """The formulas of the explorable as JavaScript, printed by SymPy."""
 
-from __future__ import annotations
-
 import re
 
 import sympy

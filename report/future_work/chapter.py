@@ -1,7 +1,5 @@
 """The chapter on what section 6.4 of the thesis asks for: its sections with their numbers."""
 
-from __future__ import annotations
-
 from typing import Final
 
 from report.document.extras import FutureWork

@@ -1,7 +1,5 @@
 """Curves over motions of the twin: filled dots where a motion repeats, open ones where it was not seen to."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any
 

@@ -5,8 +5,6 @@ e = r - y, is the other way to drive the two blocks. Both are friction-controlle
 and the trimmer, the pin acting by its displacement alone, without friction between the bodies.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

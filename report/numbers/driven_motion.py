@@ -4,8 +4,6 @@ The parameters are those of Listing A.1; the experiment's are not published. The
 and its velocity, as in equation 3.2; friction is between cutter and guard unless stated otherwise.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

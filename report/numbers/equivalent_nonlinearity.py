@@ -5,8 +5,6 @@ equation 5.14 prints something else; with the right operator the term is +j 4 F_
 by a stiffness, such as k2, before it is added to a number. The gap is that of the listing: the total one.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass

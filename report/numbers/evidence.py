@@ -1,7 +1,5 @@
 """What claims are judged with: the symbolic derivation and the numbers that were solved from it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 

@@ -3,8 +3,6 @@
 Amplitudes go with the gap and frequencies do not depend on it, so a gap of one metre stands for all.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import control

@@ -4,8 +4,6 @@ Gap and impulse times one factor give the motion times that factor, so all depen
 the impulse is displacement of the pin (m) over time (s), and the model has a gap of one metre.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass

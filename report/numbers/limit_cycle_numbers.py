@@ -1,7 +1,5 @@
 """Limit cycles that harmonic balance predicts for the thesis's trimmer, solved once."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import control

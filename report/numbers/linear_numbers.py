@@ -4,8 +4,6 @@ Exact coefficients come from the derivation with the listing's parameters as fra
 the numeric twin.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """Listings A.7 and A.8, backlash over time, repeated line by line, and the same outputs by other means."""
 
-from __future__ import annotations
-
 import math
 from typing import Final
 

@@ -5,8 +5,6 @@ leaves the choice among them to MATLAB's vpasolve; taken here is the one that be
 where contact is made with a narrow gap.
 """
 
-from __future__ import annotations
-
 import math
 
 import control

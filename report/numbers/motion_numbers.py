@@ -1,7 +1,5 @@
 """Every number of simulated motions that claims and figures need, solved once."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from report.numbers.drive_amplitudes import (

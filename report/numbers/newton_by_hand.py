@@ -1,7 +1,5 @@
 """Harmonic balance of friction-controlled backlash, solved by hand with Newton's method."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from collections.abc import Iterator, Sequence

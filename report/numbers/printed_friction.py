@@ -4,8 +4,6 @@ In equation 3.2 as printed the friction between motor and cutter acts along thei
 largest gap of section 3.3 the pin moves inside of its play, so nothing but friction can act on the trimmer.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

@@ -4,8 +4,6 @@ A card may say so only in a sentence from here: each fails where the kept proof 
 card's. That the proofs hold is checked again by ``trimmer check``, which the tests run.
 """
 
-from __future__ import annotations
-
 import json
 import math
 import re

@@ -1,7 +1,5 @@
 """Records as the thesis takes them, and their spectra."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -4,8 +4,6 @@ Relay or friction force, and impulse, times one factor give the motion times tha
 impulse over force. The model has a relay of one.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import control

@@ -4,8 +4,6 @@ The thesis starts its closed loop from initial conditions (section 3.3), which i
 displacement that all four bodies share is the simplest one.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

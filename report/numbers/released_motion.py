@@ -4,8 +4,6 @@ The parameters are those of Listing A.1. With friction (section 3.3) the pin act
 velocity, as in equation 3.2; without it (appendix E) by its displacement alone, as in section 5.2.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -4,8 +4,6 @@ The thesis's figures 2.13 and 2.14 name no plant. A relay with a third-order pla
 in closed form; a backlash with a triple lag has two, of which one is unstable.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache
 from typing import Final

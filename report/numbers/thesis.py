@@ -1,7 +1,5 @@
 """Values that the thesis uses in more than one place, each here once, in SI units; strings are as printed."""
 
-from __future__ import annotations
-
 import math
 from typing import Final
 

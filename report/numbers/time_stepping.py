@@ -4,8 +4,6 @@ Nothing of the event-driven simulation is used: between steps the linear part is
 exponential, and the element acts at the steps alone.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 

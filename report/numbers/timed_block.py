@@ -5,8 +5,6 @@ written as pieces in time: in flight its output does not depend on the input at 
 linear system whose coefficients change with the drive's period, so its free motion has Floquet multipliers.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import control

@@ -1,7 +1,5 @@
 """Every number of the physical twin that the report needs, solved or read once."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Final
 

@@ -1,7 +1,5 @@
 """The corrected listings as files with a README, and as one archive of them."""
 
-from __future__ import annotations
-
 import io
 import zipfile
 from collections.abc import Iterable

@@ -1,7 +1,5 @@
 """What each corrected listing is about, and what was wrong in the thesis's."""
 
-from __future__ import annotations
-
 import tomllib
 from dataclasses import dataclass
 from functools import cache

@@ -1,7 +1,5 @@
 """The formulas that the corrected listings print, each taken from the derivations."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import sympy

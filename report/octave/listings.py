@@ -1,7 +1,5 @@
 """Appendix A as corrected MATLAB/Octave programs."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

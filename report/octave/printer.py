@@ -1,7 +1,5 @@
 """SymPy expressions as MATLAB/Octave code: names, line breaks and matrices."""
 
-from __future__ import annotations
-
 import re
 import textwrap
 from collections.abc import Mapping, Sequence

@@ -1,7 +1,5 @@
 """Each prediction of the thesis beside harmonic balance done right, and the exact orbit."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from report.document.extras import CorrectedResult

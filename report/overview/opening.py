@@ -1,7 +1,5 @@
 """The first screen: what holds and what does not, the five findings that matter most, and what to do."""
 
-from __future__ import annotations
-
 from report.document.extras import Highlight, Opening
 from report.numbers.evidence import Evidence
 from report.numbers.thesis import EXPERIMENT_GAP

@@ -1,7 +1,5 @@
 """The figure of the first screen: which motion a trimmer has over gap and friction."""
 
-from __future__ import annotations
-
 from typing import Final
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What the first pages say, made from what was solved."""
 
-from __future__ import annotations
-
 from report.document.extras import Overview
 from report.numbers.evidence import Evidence
 from report.overview.answers import answers

@@ -3,8 +3,6 @@
 Each card of that grade stands in exactly one of them.
 """
 
-from __future__ import annotations
-
 from typing import Final
 
 from report.document.extras import Root

@@ -1,7 +1,5 @@
 """The thesis's loop in short: why a describing function, what it means, and how far it holds."""
 
-from __future__ import annotations
-
 from report.derivation.pictures import friction_backlash_picture
 from report.judging.text import one_line
 from report.numbers.evidence import Evidence

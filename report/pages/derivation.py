@@ -1,7 +1,5 @@
 """The derivation in a report: steps, symbols, parameters, and corrected programs."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from report.pages.figure import CodeLines, Equation, Figure

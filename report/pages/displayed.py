@@ -1,7 +1,5 @@
 """What stands between paragraphs of Markdown: a formula, lines of code."""
 
-from __future__ import annotations
-
 import re
 
 from report.pages import escaping

@@ -1,7 +1,5 @@
 """The environment of all templates that give Markdown: what they print is escaped unless it is Markdown."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import Any
 

@@ -1,7 +1,5 @@
 """What a reader can move on a page, and the drawings that follow."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 

@@ -1,7 +1,5 @@
 """What is displayed between paragraphs: an equation, lines of code, a figure."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 

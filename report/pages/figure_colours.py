@@ -3,8 +3,6 @@
 The drawings themselves stay as they are drawn, in light colours, for the PDF.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 from itertools import pairwise

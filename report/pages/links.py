@@ -1,7 +1,5 @@
 """Links inside a report: each has to lead somewhere."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 

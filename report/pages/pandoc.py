@@ -1,7 +1,5 @@
 """Calling the pandoc that comes with ``pypandoc-binary``."""
 
-from __future__ import annotations
-
 import subprocess
 from collections.abc import Sequence
 from pathlib import Path

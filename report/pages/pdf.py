@@ -1,7 +1,5 @@
 """Typst source as PDF, below the head that all reports share."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -4,8 +4,6 @@ A piece is the front, a section of a chapter, or a part of the back. Each form o
 build, which then converts only the pieces that have changed.
 """
 
-from __future__ import annotations
-
 import hashlib
 import os
 from collections.abc import Callable, Mapping

@@ -1,7 +1,5 @@
 """Content security policies: what a page may run and load, told to the browser in the page itself."""
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import re

@@ -1,7 +1,5 @@
 """What a report was made from: version, commit and libraries, nothing that depends on the build itself."""
 
-from __future__ import annotations
-
 import subprocess
 from dataclasses import dataclass
 from importlib.metadata import version

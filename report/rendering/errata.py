@@ -1,7 +1,5 @@
 """The errata of the sheet that is laid into the thesis, the gravest first; also as CSV."""
 
-from __future__ import annotations
-
 import csv
 import io
 import re

@@ -1,7 +1,5 @@
 """The report as one HTML file that needs nothing beside it."""
 
-from __future__ import annotations
-
 import re
 
 from report.copy.reading import ReaderCopy

@@ -1,7 +1,5 @@
 """Findings as JSON, for machines."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 

@@ -1,7 +1,5 @@
 """Document to pandoc Markdown: one content for all outputs."""
 
-from __future__ import annotations
-
 import functools
 from collections.abc import Mapping
 from typing import Any

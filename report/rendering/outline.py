@@ -1,7 +1,5 @@
 """The findings of a chapter by section, in thesis order, and where each stands, in words."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """What the reader's own copy has beside each card; it is put into the finished page and kept nowhere."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Writing a report in the forms that are wanted."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """What of the report is wanted, and in which form."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from report.copy.reading import ReaderCopy

@@ -1,7 +1,5 @@
 """Taking some chapters out of a report."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace

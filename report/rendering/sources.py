@@ -1,7 +1,5 @@
 """The source files that derive what the shown findings rest on: the chapter of code of the HTML report."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 

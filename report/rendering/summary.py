@@ -1,7 +1,5 @@
 """What the summary counts, how a claim is named in words, and how the report is made again."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """Which findings survive when all parameters change at once: proofs hold, numbers may not."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from typing import Final
 

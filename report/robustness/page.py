@@ -1,7 +1,5 @@
 """What the report says of how far the corrected results hold: computed, drawn and put into words."""
 
-from __future__ import annotations
-
 from decimal import Decimal
 from types import MappingProxyType
 from typing import Final

@@ -1,7 +1,5 @@
 """The effects of the parameters as bars, the largest first, with what nine of ten samples give."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Final
 

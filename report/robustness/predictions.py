@@ -1,7 +1,5 @@
 """The corrected predictions of section 5.2 as functions of the parameters."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -4,8 +4,6 @@ Scatter and quantiles are those of ``trimmer.uncertainty``. Its samples of a loo
 friction-controlled play alone; the predictions compare three loops, and so are solved for each sample here.
 """
 
-from __future__ import annotations
-
 from dataclasses import asdict, dataclass
 from typing import Final, final
 

@@ -1,7 +1,5 @@
 """Cells of the kept maps, drawn at random and computed again in each build."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final

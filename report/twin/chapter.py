@@ -1,7 +1,5 @@
 """The chapter on the physical twin: its sections, with what the build computed again."""
 
-from __future__ import annotations
-
 from typing import Final
 
 from report.document.extras import Observation, TwinChapter, TwinSection

@@ -8,8 +8,6 @@
 Each confirmation is a check of ``report.judging.parts`` that must hold, or the build stops.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import final

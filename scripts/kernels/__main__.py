@@ -1,7 +1,5 @@
 """The runs: which there are here, one after the other, and what came of them."""
 
-from __future__ import annotations
-
 import argparse
 import os
 import subprocess

@@ -3,8 +3,6 @@
 Before that it is made sure that OpenBLAS runs the kernel that it was asked for.
 """
 
-from __future__ import annotations
-
 import ctypes
 import re
 import sys

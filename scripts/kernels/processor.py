@@ -1,7 +1,5 @@
 """Kernels of OpenBLAS, what a processor needs for them, and how a process is made to compute as with them."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Mapping

@@ -1,7 +1,5 @@
 """Other versions of Python: where they are, and an environment for each with the locked packages."""
 
-from __future__ import annotations
-
 import hashlib
 import os
 import subprocess

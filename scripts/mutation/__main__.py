@@ -1,7 +1,5 @@
 """The commands: ``map``, ``run`` and ``summary``; ``all`` does one after the other."""
 
-from __future__ import annotations
-
 import argparse
 import json
 import sys

@@ -1,7 +1,5 @@
 """Work in a process of its own, with limits, forked from one that has loaded libraries and tests."""
 
-from __future__ import annotations
-
 import ctypes
 import multiprocessing
 import os

@@ -1,7 +1,5 @@
 """Which test files are run for a mutant, and in which order."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache

@@ -4,8 +4,6 @@ Beside the claims these are all things of a report whose checks can stop its bui
 derivation, and the extra chapters with their figures. Other figures and pages are left out.
 """
 
-from __future__ import annotations
-
 import hashlib
 import re
 import time

@@ -3,8 +3,6 @@
 They find the project and its tests loaded, which takes longer than most test files do.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 from collections.abc import Callable

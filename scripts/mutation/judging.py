@@ -1,7 +1,5 @@
 """Judging a mutant: by tests and by claims, until one of them notices it."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress

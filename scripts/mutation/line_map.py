@@ -1,7 +1,5 @@
 """Which test file runs which line: recorded once, and again for what has changed since."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections.abc import Iterator, Mapping, Sequence

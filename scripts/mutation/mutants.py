@@ -1,7 +1,5 @@
 """The places of a source file that can be changed, and the changed text."""
 
-from __future__ import annotations
-
 import ast
 import hashlib
 from collections.abc import Iterator

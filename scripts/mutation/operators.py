@@ -1,7 +1,5 @@
 """The ways to change a node of the syntax tree, by kind."""
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Callable, Iterator
 from copy import deepcopy

@@ -1,7 +1,5 @@
 """Functions of loaded modules get their changed code, so that nothing need be imported anew."""
 
-from __future__ import annotations
-
 import ast
 import gc
 import importlib

@@ -1,7 +1,5 @@
 """Outcomes, a line each in a file that only grows, so that an interrupted run goes on where it was."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass

@@ -1,7 +1,5 @@
 """What a run says: how many changes were noticed, by what, and how sure the share is."""
 
-from __future__ import annotations
-
 import csv
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """What goes on in the process of a test file: it is run, or run and recorded."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any

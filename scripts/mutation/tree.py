@@ -1,7 +1,5 @@
 """A copy of the project in which one source at a time is changed."""
 
-from __future__ import annotations
-
 import compileall
 import fcntl
 import os

@@ -7,8 +7,6 @@
   ``<!-- not run: reason -->``.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace

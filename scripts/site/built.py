@@ -1,7 +1,5 @@
 """Looks at a site that was built: nothing in it may be loaded from elsewhere."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Pages of the command line: usage, options, examples and exit codes, from the parsers themselves."""
 
-from __future__ import annotations
-
 import argparse
 import html
 import re

@@ -3,8 +3,6 @@
 The docstring of a script holds its title, a caption, and, indented, what it prints.
 """
 
-from __future__ import annotations
-
 import ast
 import contextlib
 import inspect

@@ -1,7 +1,5 @@
 """Pages of the gallery: a picture, its script and what it prints for each of ``examples/scripts``."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 
 from scripts.site.example_scripts import ExampleScript

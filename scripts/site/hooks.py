@@ -1,7 +1,5 @@
 """What MkDocs calls: adds generated pages and files that stand elsewhere, and turns formulas into MathML."""
 
-from __future__ import annotations
-
 import io
 import re
 import zipfile

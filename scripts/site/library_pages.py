@@ -1,7 +1,5 @@
 """Pages of the library reference: every public name of the stubs of ``trimmer``, a page for each room."""
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Iterator, Mapping
 from pathlib import Path

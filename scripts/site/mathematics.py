@@ -1,7 +1,5 @@
 """Formulas of a page as MathML, which browsers show without any script."""
 
-from __future__ import annotations
-
 import html
 import re
 

@@ -1,7 +1,5 @@
 """The notebooks of ``examples/notebooks``: run from top to bottom, and shown as pages with outputs."""
 
-from __future__ import annotations
-
 import base64
 import os
 import re

@@ -1,7 +1,5 @@
 """Blocks of output in a page: told apart from code, and sentences wrapped where tables are not."""
 
-from __future__ import annotations
-
 import re
 
 SHORT = 70

@@ -1,7 +1,5 @@
 """Pictures that pages show: made by running the page's own blocks, and kept until something changes."""
 
-from __future__ import annotations
-
 import hashlib
 import re
 import shutil

@@ -3,8 +3,6 @@
 ``python -m scripts.site.running docs/tutorial.md`` runs a page and writes what its blocks print into it.
 """
 
-from __future__ import annotations
-
 import contextlib
 import doctest
 import io

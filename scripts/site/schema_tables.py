@@ -1,7 +1,5 @@
 """Tables of the keys of TOML files, from the code that checks them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import MISSING, Field, fields
 

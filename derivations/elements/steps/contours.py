@@ -1,7 +1,5 @@
 """Every contour of viscous-controlled backlash lies between those of friction and inertia."""
 
-from __future__ import annotations
-
 import sympy
 from sympy import cos, pi, sin
 

@@ -1,7 +1,5 @@
 """Backlash and Coulomb friction as one nonlinearity, with a check of its units."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.algebra.unevaluated import total

@@ -1,7 +1,5 @@
 """Describing functions of the ideal relay, of Coulomb friction and of viscous friction."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.algebra.unevaluated import product, total

@@ -1,7 +1,5 @@
 """Backlash in front of a load with inertia and friction: its motion, and its describing function."""
 
-from __future__ import annotations
-
 import sympy
 from sympy import cos, exp, pi, sin
 

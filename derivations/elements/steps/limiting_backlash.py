@@ -1,7 +1,5 @@
 """Backlash in front of a load without inertia, and of one without friction."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.algebra.unevaluated import product, total

@@ -1,7 +1,5 @@
 """The limits of the general backlash are friction- and inertia-controlled backlash."""
 
-from __future__ import annotations
-
 import sympy
 from sympy import cos, exp, sin
 

@@ -1,7 +1,5 @@
 """Harmonics of an odd element by one integral over half a period."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.elements.harmonics import (

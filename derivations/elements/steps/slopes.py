@@ -1,7 +1,5 @@
 """Derivatives of N_1 of backlash by g/A and by ln γ, and the Jacobian determinant of both."""
 
-from __future__ import annotations
-
 from sympy import cos, exp
 
 from derivations.algebra.unevaluated import product

@@ -1,7 +1,5 @@
 """Describing functions of saturation, dead zone, preload and relays with hysteresis and dead zone."""
 
-from __future__ import annotations
-
 import sympy
 from sympy import cos, pi, sin
 

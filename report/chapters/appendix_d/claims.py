@@ -1,7 +1,5 @@
 """Claims of appendix D: the equation of motion of the motor, step by step."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.symbols import accelerations, c1, c2, k1, k2, m1, q1, q2, t, u, u_dot, velocities

@@ -1,7 +1,5 @@
 """Claims on figures E.1 and E.2: the closed loop for several gaps, the open loop for several amplitudes."""
 
-from __future__ import annotations
-
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_5.claims.section_5_2_1_driven import open_loop_harmonic
 from report.judging.parts import assertion, close, digits

@@ -1,7 +1,5 @@
 """The closed loop released without drive, and the open loop for very different drives (figures E.1, E.2)."""
 
-from __future__ import annotations
-
 from typing import Final
 
 import numpy as np

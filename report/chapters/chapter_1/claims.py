@@ -1,7 +1,5 @@
 """Claims on the drawing of the trimmer (figure 1.1), of which only the text about it is left."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.symbols import coordinates, stiffnesses, u, velocities

@@ -1,7 +1,5 @@
 """Figure of chapter 1, drawn after the text: shapes and proportions are free, connections are the text's."""
 
-from __future__ import annotations
-
 from matplotlib.figure import Figure
 
 from report.data.figures import figure

@@ -3,8 +3,6 @@
 The experiment's data and parameters are confidential, so all are drawn with the parameters of Listing A.1.
 """
 
-from __future__ import annotations
-
 from typing import Any, Final
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Claims of chapter 4: section 4.2 on the blocks of backlash and the viscous load, and figures 4.1 to 4.3."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

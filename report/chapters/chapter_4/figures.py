@@ -1,7 +1,5 @@
 """The blocks of backlash under a sine (figures 4.1 to 4.3)."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.figure import Figure
 

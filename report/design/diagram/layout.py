@@ -4,8 +4,6 @@ The ground is a wall at the left and one at the right. A part runs along a lane 
 body is as high as its lanes need. A part may pass a body only in a lane that the body does not cover.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import permutations

@@ -1,7 +1,5 @@
 """Symbols of plays, stops, frictions and pins, on a canvas in inches."""
 
-from __future__ import annotations
-
 from matplotlib.axes import Axes
 
 from report.pages.drawing.marks import arrow

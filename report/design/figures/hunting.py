@@ -1,7 +1,5 @@
 """The map of where an axis rests, and where it hunts."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch

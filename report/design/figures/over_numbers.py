@@ -1,7 +1,5 @@
 """What comes out over one number of a mechanism, or over two: branch, range, influences, map."""
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Mapping, Sequence
 

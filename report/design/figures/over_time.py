@@ -1,7 +1,5 @@
 """Motion over time, its lines over frequency, and the response of the linear mechanism."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Literal
 

@@ -1,7 +1,5 @@
 """First question: friction that is compensated."""
 
-from __future__ import annotations
-
 from typing import Any, Final
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Fourth question: the linear parameters at random."""
 
-from __future__ import annotations
-
 from typing import Any, Final
 
 import numpy as np

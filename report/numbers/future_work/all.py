@@ -1,7 +1,5 @@
 """All data that are kept for the answers."""
 
-from __future__ import annotations
-
 from typing import Final
 
 from report.numbers.future_work.compensation import COMPENSATION

@@ -1,7 +1,5 @@
 """How the housing of the twin shakes a hand: acceleration weighted by ISO 5349-1, over gap and friction."""
 
-from __future__ import annotations
-
 from typing import Any, Final
 
 from report.numbers.future_work.kept import KeptAnswer

@@ -1,7 +1,5 @@
 """Harmonic balance of the thesis's loop with more and more harmonics, against its exact limit cycles."""
 
-from __future__ import annotations
-
 from typing import Any, Final
 
 from report.numbers.future_work.kept import KeptAnswer

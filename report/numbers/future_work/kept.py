@@ -1,7 +1,5 @@
 """What an answer rests on and is dear to compute: kept with the code, with the hash of its inputs."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path

@@ -1,7 +1,5 @@
 """M/D of the load behind the play from the frequency of a limit cycle: curves, intervals, and shifts."""
 
-from __future__ import annotations
-
 from dataclasses import asdict
 from typing import Any, Final
 

@@ -1,7 +1,5 @@
 """The thesis's loop with linear parameters at random: whether it has limit cycles, and at which frequency."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import asdict
 from typing import Any, Final

@@ -1,7 +1,5 @@
 """A second play: behind the first in the loop, between guard and housing, and in a gear before the bridge."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any, Final
 

@@ -1,7 +1,5 @@
 """Frequency response from the exact coefficients in many digits."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 

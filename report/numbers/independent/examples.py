@@ -1,7 +1,5 @@
 """Textbook examples in numbers: a cubic spring, Van der Pol's oscillator, and examples of stability."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import control

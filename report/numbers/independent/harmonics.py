@@ -5,8 +5,6 @@ to a force; with play alone the harmonics of the backlash pass the response to t
 written down by hand, as springs and dampers stand in figure 2.1; nothing of them is derived.
 """
 
-from __future__ import annotations
-
 import math
 
 import control

@@ -3,8 +3,6 @@
 Newton's method uses the polynomials of G and the closed form of the element, and nothing of the solver.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """The linear trimmer once more: from its state space, its coefficients, or by search over a grid."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """A load in the play of backlash: pushed, let go, in flight and in contact, in numbers."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from functools import cache

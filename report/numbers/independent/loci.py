@@ -1,7 +1,5 @@
 """Loci of G and of describing functions on grids: crossings, solutions, angles and distances; poles."""
 
-from __future__ import annotations
-
 import math
 import warnings
 

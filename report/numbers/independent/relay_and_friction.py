@@ -1,7 +1,5 @@
 """G where friction and relays meet it, and simulations of loops with a relay."""
 
-from __future__ import annotations
-
 import control
 import numpy as np
 import sympy

@@ -1,7 +1,5 @@
 """Bins of a spectrum as NumPy has them, and searches for samples and drives that fit tabulated peaks."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Short symbolic derivations: energies and forces of the bodies, motion of the pin, roots and transforms."""
 
-from __future__ import annotations
-
 import mpmath
 import sympy
 

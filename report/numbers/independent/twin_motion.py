@@ -4,8 +4,6 @@ It shares no line with the exact engine of ``trimmer.contact``: forces are added
 DOP853 integrates them, and its event location ends each phase.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 from enum import IntEnum

@@ -1,7 +1,5 @@
 """Sampled and integrated waveforms, and sums of harmonics: second ways to what harmonic balance gives."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import control

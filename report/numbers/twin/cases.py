@@ -1,7 +1,5 @@
 """Single motions of the twin: what they settle to, their lines, and one stretch of them to look at."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Final, cast
 

@@ -1,7 +1,5 @@
 """The thesis's closed loop with friction between cutter and guard, and the branches of it that are kept."""
 
-from __future__ import annotations
-
 from typing import Final
 
 import numpy as np

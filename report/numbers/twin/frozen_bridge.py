@@ -4,8 +4,6 @@ The thesis puts play before a linear trimmer: the bridge follows the pin, or sta
 carries is computed here, though the thesis asks nobody for it.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Final
 

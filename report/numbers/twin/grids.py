@@ -1,7 +1,5 @@
 """Which maps and branches of the twin are kept, and from what they are made."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Branches of periodic motions as they are kept: over one number, with their special points."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from dataclasses import asdict, dataclass

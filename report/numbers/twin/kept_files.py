@@ -4,8 +4,6 @@ A file is JSON with ``inputs`` (the SHA-256 of all that it was made from), ``pro
 program that made it, as a note), ``digest`` (the SHA-256 of its ``content``) and ``content``.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections.abc import Mapping

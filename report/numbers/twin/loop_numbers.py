@@ -1,7 +1,5 @@
 """The kept branches of the thesis's loop, what is simulated from them, and their end in a second way."""
 
-from __future__ import annotations
-
 from collections import Counter
 from dataclasses import dataclass
 from typing import Final

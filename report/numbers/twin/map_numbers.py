@@ -1,7 +1,5 @@
 """What the kept maps say: shares of kinds, how far the drive's period lasts, where even harmonics are."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """The physical twin: the trimmer of Listing A.1, whose bridge has play around the pin and pushes back."""
 
-from __future__ import annotations
-
 from typing import Final
 
 from report.numbers.thesis import DRIVE_AMPLITUDE

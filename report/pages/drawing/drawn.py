@@ -1,7 +1,5 @@
 """A picture with what stands beside it, as the templates take it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from matplotlib.figure import Figure as Drawing

@@ -1,7 +1,5 @@
 """Letters of panels: one rule for all figures, so that captions can name them."""
 
-from __future__ import annotations
-
 import re
 from string import ascii_lowercase
 from typing import Final

@@ -1,7 +1,5 @@
 """What figures put on their axes besides curves: names beside places, arrows, lengths, few ticks."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

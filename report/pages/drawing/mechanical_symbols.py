@@ -1,7 +1,5 @@
 """Symbols for drawings of mechanisms, on a canvas in inches: bodies, springs, dampers, surroundings."""
 
-from __future__ import annotations
-
 from typing import Any, Final
 
 import numpy as np

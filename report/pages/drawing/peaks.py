@@ -1,7 +1,5 @@
 """Peaks of drawn spectra, to which a page leads its reader."""
 
-from __future__ import annotations
-
 from typing import Final
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Names of what has to move with the curves when a reader zooms into a figure, and where it stands."""
 
-from __future__ import annotations
-
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.text import Annotation, Text

@@ -1,7 +1,5 @@
 """What figures of G with -1/N share: the plane of G, its locus, curves of -1/N, and marked limit cycles."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 from typing import Any, Final

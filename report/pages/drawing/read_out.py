@@ -1,7 +1,5 @@
 """What a page needs to read values off a figure: where its axes are, and a quantity along its curves."""
 
-from __future__ import annotations
-
 import json
 import math
 import re

@@ -1,7 +1,5 @@
 """The one look of all figures; nothing here changes Matplotlib for anybody else."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any, Final

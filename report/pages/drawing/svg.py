@@ -1,7 +1,5 @@
 """Matplotlib figure to SVG text that can stand inside a page."""
 
-from __future__ import annotations
-
 import io
 import re
 from xml.sax.saxutils import escape, quoteattr

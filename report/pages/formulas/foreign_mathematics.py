@@ -1,7 +1,5 @@
 """Formulas that were not written for this report: shown where pandoc can read them, told apart where not."""
 
-from __future__ import annotations
-
 import json
 import re
 import subprocess

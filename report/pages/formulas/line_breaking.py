@@ -1,7 +1,5 @@
 """Breaking of formulas that are too long for a line, at the signs of their sums."""
 
-from __future__ import annotations
-
 from report.pages.formulas.latex import Atom, Role, atoms
 
 _OPENING = Atom("(", 0.4)

@@ -1,7 +1,5 @@
 """Repairs of pandoc's MathML where browsers set it badly."""
 
-from __future__ import annotations
-
 import re
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element

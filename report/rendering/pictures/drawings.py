@@ -1,7 +1,5 @@
 """All drawings of the report as SVG, by the names under which its text asks for them."""
 
-from __future__ import annotations
-
 from report.document.document import Document
 from report.rendering.pictures import spread_picture
 

@@ -1,7 +1,5 @@
 """How a slip spreads as a picture: a line for each statement, below what it follows from."""
 
-from __future__ import annotations
-
 import textwrap
 from dataclasses import dataclass
 from typing import Final

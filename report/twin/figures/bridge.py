@@ -1,7 +1,5 @@
 """The bridge in its slot, in both models."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.figure import Figure
 

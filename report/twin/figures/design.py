@@ -1,7 +1,5 @@
 """Up to which gap the motion stays regular, over what a designer chooses."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure

@@ -1,7 +1,5 @@
 """Limit cycles of the thesis's loop over friction and gap: exact, and by harmonic balance."""
 
-from __future__ import annotations
-
 from typing import Final
 
 import numpy as np

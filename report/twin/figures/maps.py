@@ -1,7 +1,5 @@
 """Maps of kinds of motion, and branches over the gap above what the trimmer settles to from rest."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure

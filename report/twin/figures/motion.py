@@ -1,7 +1,5 @@
 """Motion, contact force and spectrum of three settings in both models."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure

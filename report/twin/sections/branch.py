@@ -1,7 +1,5 @@
 """A branch over the gap with its bifurcations."""
 
-from __future__ import annotations
-
 from report.judging.parts import close, small, so
 from report.judging.record import text
 from report.numbers.evidence import Evidence

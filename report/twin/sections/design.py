@@ -1,7 +1,5 @@
 """What a designer should do and should not: each line of advice with what the search of its box found."""
 
-from __future__ import annotations
-
 from functools import partial
 from typing import Final
 

@@ -1,7 +1,5 @@
 """The limit cycles of the thesis's loop over friction and gap."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from report.judging.parts import close, equal, small, so

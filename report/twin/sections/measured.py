@@ -1,7 +1,5 @@
 """The measured spectra of chapter 3, compared by order of the drive and by parity alone."""
 
-from __future__ import annotations
-
 from report.judging.parts import equal, small, so
 from report.judging.record import text
 from report.numbers.evidence import Evidence

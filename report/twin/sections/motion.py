@@ -1,7 +1,5 @@
 """Motion, contact force and spectrum at 110 Hz, beside the thesis's model."""
 
-from __future__ import annotations
-
 from report.judging.parts import close, equal, small, so
 from report.judging.record import text
 from report.numbers.evidence import Evidence

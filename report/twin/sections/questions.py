@@ -1,7 +1,5 @@
 """The research questions of the thesis (section 1.3), answered once more from the twin."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from report.judging.parts import close, so

@@ -1,7 +1,5 @@
 """Claims of appendix A on what the text calls the listings, and on names that these do not define."""
 
-from __future__ import annotations
-
 import math
 import re
 

@@ -1,7 +1,5 @@
 """Claims of appendices A.1 and A.2: transfer function, four integrals, and Listing A.1, the linear model."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 

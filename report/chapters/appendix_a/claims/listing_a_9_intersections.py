@@ -1,7 +1,5 @@
 """Claims of appendix A.10 on the search for intersections (Listing A.9), its grid and its coefficients."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 from report.chapters.second_ways import NEWTON, by_waveform

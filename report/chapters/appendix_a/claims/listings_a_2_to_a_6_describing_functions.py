@@ -1,7 +1,5 @@
 """Claims of appendices A.3 to A.7 and A.11 on listings of describing functions (A.2 to A.6 and A.10)."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.elements.backlash import (

@@ -1,7 +1,5 @@
 """Claims of appendices A.8 and A.9 on the blocks of backlash over time (Listings A.7 and A.8)."""
 
-from __future__ import annotations
-
 import math
 import re
 

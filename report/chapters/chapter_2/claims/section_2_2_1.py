@@ -1,7 +1,5 @@
 """Claims of section 2.2.1: pin, energies and motion (2.1 to 2.9, figures 2.1 and 2.2)."""
 
-from __future__ import annotations
-
 import math
 
 import sympy

@@ -1,7 +1,5 @@
 """Claims of section 2.2.1 on the state space (equations 2.10 to 2.14)."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.state_space import output_row

@@ -1,7 +1,5 @@
 """Claims of section 2.2.2: frequency response and transfer function (equations 2.15 to 2.21, figure 2.3)."""
 
-from __future__ import annotations
-
 import cmath
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Claims of section 2.2.3: eigenvalues, argument principle, closed loop (2.22 to 2.24, figure 2.4)."""
 
-from __future__ import annotations
-
 import sympy
 from sympy.polys.matrices import DomainMatrix
 

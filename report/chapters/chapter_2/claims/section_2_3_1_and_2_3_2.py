@@ -1,7 +1,5 @@
 """Claims of sections 2.3.1 and 2.3.2 and figure 2.5: harmonic balance and what it assumes."""
 
-from __future__ import annotations
-
 import control
 import numpy as np
 import sympy

@@ -1,7 +1,5 @@
 """Claims of section 2.3.3 and figure 2.6: the describing function and its Fourier coefficients."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.elements.backlash import GAMMA, separation_angle

@@ -3,8 +3,6 @@
 The thesis's b is half of the total gap in these places.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import final

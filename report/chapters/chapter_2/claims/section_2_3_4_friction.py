@@ -3,8 +3,6 @@
 The thesis's b is half of the total gap in these places.
 """
 
-from __future__ import annotations
-
 import numpy as np
 import sympy
 

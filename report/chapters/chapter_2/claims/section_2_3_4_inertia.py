@@ -1,7 +1,5 @@
 """Claims of section 2.3.4 and figure 2.10 on inertia-controlled backlash. Here b is the total gap."""
 
-from __future__ import annotations
-
 import control
 import sympy
 

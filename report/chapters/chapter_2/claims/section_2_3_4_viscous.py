@@ -1,7 +1,5 @@
 """Claims of section 2.3.4, appendix B.2 and figure 2.11 on viscous-controlled backlash (2.44 to 2.47)."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Claims of section 2.3.5 and figure 2.12: Coulomb friction and its describing function (2.48 to 2.52)."""
 
-from __future__ import annotations
-
 import numpy as np
 import sympy
 

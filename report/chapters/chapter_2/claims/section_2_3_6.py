@@ -1,7 +1,5 @@
 """Claims of section 2.3.6 and figures 2.13 and 2.14: harmonic balance solved, and its stable solutions."""
 
-from __future__ import annotations
-
 import math
 
 import control

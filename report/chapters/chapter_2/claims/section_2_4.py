@@ -1,7 +1,5 @@
 """Claims of section 2.4: backlash and friction as one equivalent nonlinearity (2.57 to 2.60, figure 2.15)."""
 
-from __future__ import annotations
-
 import numpy as np
 import sympy
 

@@ -3,8 +3,6 @@
 Sources are equations 2.4, 2.5, 2.7, 2.9 and 2.12 to 2.14; appendix D prints the same energies again.
 """
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.symbols import coordinates, dampings, masses, stiffnesses, u, u_dot, velocities

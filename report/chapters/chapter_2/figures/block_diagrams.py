@@ -1,7 +1,5 @@
 """The block diagrams (figures 2.3 to 2.6 and 2.15), on a canvas in inches."""
 
-from __future__ import annotations
-
 from typing import Final
 
 from matplotlib.axes import Axes

@@ -3,8 +3,6 @@
 The thesis's own drawings are not at hand; shapes and proportions are free, connections are the text's.
 """
 
-from __future__ import annotations
-
 import math
 from typing import Final
 

@@ -3,8 +3,6 @@
 The thesis's own pictures name neither plant nor element, so two loops are taken whose answers are known.
 """
 
-from __future__ import annotations
-
 from typing import Final
 
 import numpy as np

@@ -4,8 +4,6 @@ Time is the phase of the pin, and from figure 2.9 on lengths are in amplitudes o
 solid and thick where the bridge is in contact with the pin, and dashed where it is let go.
 """
 
-from __future__ import annotations
-
 from typing import Any, Final
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What the driven trimmer can contain in the end: the theorem, how the runs agree with it, and harmonics."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from derivations.elements.incremental_dissipation import incremental_dissipation

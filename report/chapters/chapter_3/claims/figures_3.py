@@ -1,7 +1,5 @@
 """Claims on figures 3.1 to 3.9: measured motions and their spectra, simulated open and closed loop."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

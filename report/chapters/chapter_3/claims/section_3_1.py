@@ -1,7 +1,5 @@
 """Claims of section 3.1: resolution and bins of the measured spectra, and the sign of the output."""
 
-from __future__ import annotations
-
 from decimal import Decimal
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """Claims of section 3.3 on friction in equation 3.2: between which parts, and which way it acts."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.algebra.identity import prove_equal

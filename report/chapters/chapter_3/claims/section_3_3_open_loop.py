@@ -1,7 +1,5 @@
 """Claims of section 3.3 on the driven open loop: its harmonics, and its peaks at 366 and 550 Hz."""
 
-from __future__ import annotations
-
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.chapters.chapter_3.claims.measured_peaks import TABLE_1
 from report.judging.parts import assertion, so, uncheckable

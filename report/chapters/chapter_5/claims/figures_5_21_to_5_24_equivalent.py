@@ -1,7 +1,5 @@
 """Claims on the figures of section 5.2.5, 5.21 to 5.24: contours of the equivalent nonlinearity."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

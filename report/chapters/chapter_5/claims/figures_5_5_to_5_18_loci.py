@@ -1,7 +1,5 @@
 """Claims on the figures of section 5.2 that show -1/N with G: 5.5, 5.6, 5.8, 5.10, 5.13, 5.15 to 5.18."""
 
-from __future__ import annotations
-
 import control
 
 from report.chapters.chapter_5.claims import section_5_2_1_predictions, section_5_2_2

@@ -1,7 +1,5 @@
 """Claims on the figures of section 5.2 that show simulations: 5.7, 5.9, 5.11, 5.12, 5.14, 5.19 and 5.20."""
 
-from __future__ import annotations
-
 import math
 
 from report.chapters.chapter_5.claims import section_5_2_4

@@ -1,7 +1,5 @@
 """Claims of section 5.1.1: the time response of the linear trimmer (figure 5.1)."""
 
-from __future__ import annotations
-
 import math
 
 from report.judging.claim import ClaimPart

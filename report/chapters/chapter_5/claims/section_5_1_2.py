@@ -1,7 +1,5 @@
 """Claims of section 5.1.2 on the frequency response: locus, filtering, cutoff (figures 5.2 and 5.3)."""
 
-from __future__ import annotations
-
 import math
 
 import control

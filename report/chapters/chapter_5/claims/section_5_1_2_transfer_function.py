@@ -1,7 +1,5 @@
 """Claims of section 5.1.2 on the transfer function: its coefficients (equation 5.1) and its order."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import control

@@ -1,7 +1,5 @@
 """Claims of section 5.1.3 on eigenvalues and resonances (equation 5.2)."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from report.chapters.second_ways import EXACTLY

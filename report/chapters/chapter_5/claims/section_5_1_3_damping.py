@@ -1,7 +1,5 @@
 """Claims of section 5.1.3 on damping: the output of figure 5.4 (equation 5.3), resonances, antiresonances."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

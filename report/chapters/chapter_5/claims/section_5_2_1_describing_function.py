@@ -1,7 +1,5 @@
 """Claims of section 5.2.1 on the describing function: domain, loci, input, library (equations 5.4 to 5.6)."""
 
-from __future__ import annotations
-
 import math
 
 import control

@@ -3,8 +3,6 @@
 Figures 5.11, 5.12 and 5.14, appendix E and chapter 7 share parts and second ways on the open loop.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Claims of section 5.2.1 on the simulated closed loop at the gap that is taken for the smallest."""
 
-from __future__ import annotations
-
 import math
 
 from report.chapters.chapter_5.claims.section_5_2_1_scaling import SMALLEST_GAP

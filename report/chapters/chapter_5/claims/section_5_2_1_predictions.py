@@ -1,7 +1,5 @@
 """Claims of section 5.2.1 on predictions for friction-controlled backlash (tables 5.1 and 5.2)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace

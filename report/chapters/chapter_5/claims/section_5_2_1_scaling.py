@@ -1,7 +1,5 @@
 """Claims of section 5.2.1, and of chapters 6 and 7, on gap and amplitude: proportion, and a smallest gap."""
 
-from __future__ import annotations
-
 import math
 
 from report.chapters.chapter_5.claims.section_5_2_1_predictions import SCALING, TINY_GAP, at_the_tiny_gap

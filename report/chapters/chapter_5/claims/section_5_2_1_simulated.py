@@ -1,7 +1,5 @@
 """Claims of section 5.2.1 on the simulated closed loop: limit cycle, record, ten times the gap."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

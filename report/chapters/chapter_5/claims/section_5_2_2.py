@@ -1,7 +1,5 @@
 """Claims of section 5.2.2 on predictions for inertia-controlled backlash (equations 5.7 and 5.8)."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

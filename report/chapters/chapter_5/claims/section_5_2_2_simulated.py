@@ -1,7 +1,5 @@
 """Claims of section 5.2.2 on what is simulated: the peak at 659 Hz, and the error of 23.47 %."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """Claims of section 5.2.3 on viscous-controlled backlash: the element (5.9) and predictions (5.10, 5.11)."""
 
-from __future__ import annotations
-
 import sympy
 
 from derivations.algebra.identity import UnprovenError

@@ -1,7 +1,5 @@
 """Claims of section 5.2.4 on Coulomb friction alone: predictions (5.12, 5.13), simulations, the unit."""
 
-from __future__ import annotations
-
 import math
 
 import sympy

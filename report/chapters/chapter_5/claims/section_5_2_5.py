@@ -1,7 +1,5 @@
 """Claims of section 5.2.5 on the limit cycle and the peaks with 0.6 N of friction."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """Claims of section 5.2.5 on the describing function of backlash with friction (equation 5.14)."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import sympy

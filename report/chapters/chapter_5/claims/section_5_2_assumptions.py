@@ -1,7 +1,5 @@
 """Claim on the four assumptions of the describing-function method, at the start of section 5.2."""
 
-from __future__ import annotations
-
 import control
 import numpy as np
 import sympy

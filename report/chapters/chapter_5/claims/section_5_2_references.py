@@ -1,7 +1,5 @@
 """Claims of section 5.2 on references, on symbols, and on one prediction quoted with other digits."""
 
-from __future__ import annotations
-
 import math
 
 from report.chapters.chapter_5.claims.section_5_2_1_predictions import AMPLITUDE

@@ -1,7 +1,5 @@
 """G with -1/N of backlash (figures 5.5, 5.8, 5.13, 5.15 and 5.16)."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import Final
 

@@ -1,7 +1,5 @@
 """Relay and friction in the loop (figures 5.19, 5.20), and backlash with friction (figures 5.21 to 5.24)."""
 
-from __future__ import annotations
-
 from typing import Final
 
 import numpy as np

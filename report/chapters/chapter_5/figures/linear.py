@@ -1,7 +1,5 @@
 """The linear trimmer in time and in frequency (figures 5.1 to 5.4)."""
 
-from __future__ import annotations
-
 import control
 import numpy as np
 from matplotlib.figure import Figure

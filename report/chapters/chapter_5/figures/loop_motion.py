@@ -1,7 +1,5 @@
 """The loop of section 5.2 over time and in spectra (figures 5.7, 5.9 to 5.12 and 5.14)."""
 
-from __future__ import annotations
-
 from typing import Final
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Claims of chapter 6 before section 6.1, and of section 6.2: how many limit cycles, and filtering."""
 
-from __future__ import annotations
-
 import math
 
 import sympy

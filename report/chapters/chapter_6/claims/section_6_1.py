@@ -1,7 +1,5 @@
 """Claims of section 6.1: which nonlinearities have a describing function, which are piecewise linear."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

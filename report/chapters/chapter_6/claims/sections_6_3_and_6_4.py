@@ -1,7 +1,5 @@
 """Claims of section 6.3, on whether friction holds the driving bridge, and of 6.4, on the gap it quotes."""
 
-from __future__ import annotations
-
 from report.judging.comparisons.printed import power
 from report.judging.parts import assertion, close
 from report.judging.record import Record, claim, text

@@ -1,7 +1,5 @@
 """Claims of chapter 7 on Coulomb friction, and on where its effect was shown."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from report.chapters.chapter_3.claims import driven_steady_motion as driven

@@ -1,7 +1,5 @@
 """Claims of chapter 7 on the drive's amplitude, and on what shows of a limit cycle in the output."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from report.chapters.chapter_3.claims.section_3_3_open_loop import SUBHARMONICS

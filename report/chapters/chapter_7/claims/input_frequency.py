@@ -1,7 +1,5 @@
 """Claim of chapter 7 on the drive's frequency: what each kind of play does at low and at high frequency."""
 
-from __future__ import annotations
-
 import numpy as np
 import sympy
 

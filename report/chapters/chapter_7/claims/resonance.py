@@ -1,7 +1,5 @@
 """Claims of chapter 7 on damping, on where the resonances lie, and on a limit cycle at one of them."""
 
-from __future__ import annotations
-
 from report.chapters.second_ways import EXACTLY
 from report.judging.parts import assertion, close, so
 from report.judging.record import Record, claim, text
