@@ -167,9 +167,7 @@ def _state_space(derivation: LinearTrimmer) -> NarrativeStep:
         "for which the equations of motion are solved. Here $A$ is a matrix; elsewhere $A$ is an amplitude.",
         (
             Formula(r"x = \begin{pmatrix} q \\ \dot{q} \end{pmatrix}, \quad \dot{q} = 0\, q + I\, \dot{q}"),
-            Formula(
-                r"\ddot{q} = -M^{-1} K\, q - M^{-1} C\, \dot{q} + M^{-1} f_u\, u + M^{-1} f_v\, \dot{u}",
-            ),
+            Formula(r"\ddot{q} = -M^{-1} K\, q - M^{-1} C\, \dot{q} + M^{-1} f_u\, u + M^{-1} f_v\, \dot{u}"),
             Formula(
                 r"\dot{x} = A x + B \begin{pmatrix} u \\ \dot{u} \end{pmatrix}, \quad y = C x",
                 "2.10",

@@ -51,10 +51,7 @@ def coefficients_step(derivation: LinearTrimmer) -> NarrativeStep:
         "All coefficients of the transfer function",
         "Each coefficient is a sum of products of as many parameters as its unit asks for, over the product "
         "of the masses. In those of the denominator every term is positive.",
-        (
-            *_named("b", output_numerator(derivation)),
-            *_named("a", list(derivation.transfer.denominator)),
-        ),
+        (*_named("b", output_numerator(derivation)), *_named("a", list(derivation.transfer.denominator))),
         code=(transfer_functions, output_numerator),
         long=True,
     )

@@ -51,7 +51,7 @@ PEERS = (
 )
 NOT_RUN = {
     "NLvib": "no script is written yet: from its authors' site, for Octave; tried once by hand on the spring "
-    "with corners, with 31 harmonics of 4 096 instants: peak to peak 3e-7 off after 0.7 s, no multipliers",
+    "with corners, with 31 harmonics of 4 096 instants: peak to peak 3e-7 off after 0.7 s, no multipliers"
 }
 HEAD = """## Peers
 

@@ -12,10 +12,7 @@ from pyHarm.Maestro import Maestro
 
 from benchmarks.peers.telling import tell
 
-SETTINGS = {
-    "7 harmonics, 128 samples": (7, 128),
-    "15 harmonics, 1024 samples": (15, 1024),
-}
+SETTINGS = {"7 harmonics, 128 samples": (7, 128), "15 harmonics, 1024 samples": (15, 1024)}
 
 
 def folds(harmonics: int, samples: int) -> tuple[float, float]:
@@ -36,13 +33,7 @@ def folds(harmonics: int, samples: int) -> tuple[float, float]:
             "drive": {"type": "CosinusForcing", "connect": {"body": [0]}, "dirs": [0], "amp": 100.0},
         },
         "analysis": {
-            "frf": {
-                "study": "frf",
-                "puls_inf": 6.0,
-                "puls_sup": 10.0,
-                "sign_ds": -1,
-                "verbose": False,
-            }
+            "frf": {"study": "frf", "puls_inf": 6.0, "puls_sup": 10.0, "sign_ds": -1, "verbose": False}
         },
     }
     with contextlib.redirect_stdout(io.StringIO()):

@@ -84,8 +84,7 @@ def _force_by_side(contact: Contact, pulls: bool) -> sympy.Expr:
 
 def _pressed(contact: Contact, side: sympy.Expr, cut: type[sympy.Expr] | None) -> sympy.Expr:
     force = total(
-        product(contact.stiffness, total(contact.distance, -side)),
-        contact.damping * contact.distance.diff(t),
+        product(contact.stiffness, total(contact.distance, -side)), contact.damping * contact.distance.diff(t)
     )
     return force if cut is None else cut(sympy.S.Zero, force)
 

@@ -14,12 +14,7 @@ from derivations.equations_of_motion import MotionMatrices, inertial_forces, inp
 from derivations.latex import escaped, latex, latex_equation
 from derivations.linear_motion import SymbolicMotion
 from derivations.mechanism import elongation, position
-from derivations.narrative import (
-    elongations,
-    energies,
-    euler_lagrange_equation,
-    symmetric_matrices,
-)
+from derivations.narrative import elongations, energies, euler_lagrange_equation, symmetric_matrices
 from derivations.parts import ContactLaw, Control, End, Output, Play
 from derivations.step import Formula, NarrativeStep
 from derivations.symbols import t

@@ -66,10 +66,7 @@ def contact_ratio() -> sympy.Expr:
 def general_waveform() -> Waveform:
     """Return the load's position, m, over a period that begins at separation; odd under a shift by π."""
     flight, contact = free_flight(), A * sympy.sin(THETA) + GAP / 2
-    first = (
-        Segment(SEPARATION, CONTACT, flight),
-        Segment(CONTACT, SEPARATION + sympy.pi, contact),
-    )
+    first = (Segment(SEPARATION, CONTACT, flight), Segment(CONTACT, SEPARATION + sympy.pi, contact))
     second = (
         Segment(
             segment.start + sympy.pi, segment.end + sympy.pi, -segment.value.subs(THETA, THETA - sympy.pi)

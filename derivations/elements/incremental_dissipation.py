@@ -99,9 +99,7 @@ def _values(name: str) -> tuple[sympy.Symbol, sympy.Symbol]:
 
 
 def _at(
-    expression: sympy.Expr,
-    coordinates: list[sympy.Expr],
-    values: list[tuple[sympy.Expr, sympy.Expr]],
+    expression: sympy.Expr, coordinates: list[sympy.Expr], values: list[tuple[sympy.Expr, sympy.Expr]]
 ) -> sympy.Expr:
     """Substitute a pair of value and rate for each coordinate and its time derivative."""
     rates = {q.diff(t): rate for q, (_, rate) in zip(coordinates, values, strict=True)}

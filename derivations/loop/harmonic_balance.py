@@ -57,9 +57,7 @@ def balance_step() -> ProvenStep:
         (
             Formula(r"A = -G(j\omega)\, N(A, \omega)\, A"),
             Equality(
-                r"A - (-G N A)",
-                product(A, total(1, product(ELEMENT, PLANT))),
-                loop_residual(ELEMENT, PLANT),
+                r"A - (-G N A)", product(A, total(1, product(ELEMENT, PLANT))), loop_residual(ELEMENT, PLANT)
             ),
             Formula(
                 r"1 + N(A, \omega)\, G(j\omega) = 0 \quad \Leftrightarrow \quad "

@@ -26,9 +26,7 @@ THESIS: Final = Subject(
     records="report/chapters",
     inventory="report/data/further_statements.csv",
     meanings=usual_meanings("thesis")
-    | {
-        Grade.CONCLUSION: "is wrong, and a conclusion of the thesis or a designer's choice changes with it",
-    },
+    | {Grade.CONCLUSION: "is wrong, and a conclusion of the thesis or a designer's choice changes with it"},
     cites=True,
     by_machine=True,
 )

@@ -155,8 +155,7 @@ def _exact_orbit(known: Evidence) -> NarrativeStep:
                 "crossed the gap:",
             ),
             Formula(
-                r"f = \frac{1}{2 (t_c + t_f)}" + rf" = {orbit.frequency:.2f}\ \mathrm{{Hz}}",
-                words=numbers,
+                r"f = \frac{1}{2 (t_c + t_f)}" + rf" = {orbit.frequency:.2f}\ \mathrm{{Hz}}", words=numbers
             ),
         ),
         code=(orbit_by_durations, periodic_orbits),

@@ -18,10 +18,7 @@ SCRIPTS = (
 
 
 def rendered(
-    document: Report,
-    pieces: Mapping[str, str],
-    formats: frozenset[Format],
-    paper: Paper,
+    document: Report, pieces: Mapping[str, str], formats: frozenset[Format], paper: Paper
 ) -> dict[Format, str | bytes]:
     """Return the report in the forms that are wanted.
 

@@ -47,10 +47,7 @@ def target_rows(design: Design) -> Rows:
     """Return each target with what was found, and the worst beside it."""
     around = design.around
     kinds = [each for each in (Beside.SPEED, Beside.SCATTER) if around is not None and around.beside(each)]
-    heads = {
-        Beside.SPEED: f"At ±{percent(max(SPEEDS))} speed",
-        Beside.SCATTER: "As numbers scatter",
-    }
+    heads = {Beside.SPEED: f"At ±{percent(max(SPEEDS))} speed", Beside.SCATTER: "As numbers scatter"}
     rows = [["Target", "Wanted", "Found", "Margin", *(heads[each] for each in kinds), "Verdict"]]
     for each in design.verdict.judged:
         target = each.target

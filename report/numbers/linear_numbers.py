@@ -102,8 +102,7 @@ def _start_from_rest(parameters: TrimmerParameters) -> StartFromRest:
     pin, output = pin_and_output(parameters, times)
     first, last = times < FIRST_PERIOD, times > times[-1] - FIRST_PERIOD
     return StartFromRest(
-        deviation=float(np.abs(output - pin)[first].max()),
-        settled_amplitude=float(np.ptp(output[last]) / 2),
+        deviation=float(np.abs(output - pin)[first].max()), settled_amplitude=float(np.ptp(output[last]) / 2)
     )
 
 

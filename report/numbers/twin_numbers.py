@@ -7,29 +7,14 @@ import numpy as np
 
 from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, EXPERIMENT_GAP, TURN
 from report.numbers.twin.advice import LINES, Searched, read_advice, tried_again
-from report.numbers.twin.cases import (
-    PHASES,
-    SHOWN,
-    Independent,
-    TwinCase,
-    followed,
-    independent,
-    twin_case,
-)
+from report.numbers.twin.cases import PHASES, SHOWN, Independent, TwinCase, followed, independent, twin_case
 from report.numbers.twin.frozen_bridge import FrozenBridge, frozen_bridge
 from report.numbers.twin.grids import COURSES, DAMPING_MAP, FRICTION_MAP, SPEED_MAP, STARTS_MAP, STIFFNESS_MAP
 from report.numbers.twin.kept_branch import FILE, KeptBranch, read_branches
 from report.numbers.twin.kept_map import read_map
 from report.numbers.twin.loop_numbers import FrictionLoopNumbers, solve_loop
 from report.numbers.twin.map_numbers import MapNumbers
-from report.numbers.twin.mechanism import (
-    AMPLITUDE,
-    FREQUENCY,
-    SMALL_FORCE,
-    SMALL_GAP,
-    STROKE,
-    twin,
-)
+from report.numbers.twin.mechanism import AMPLITUDE, FREQUENCY, SMALL_FORCE, SMALL_GAP, STROKE, twin
 from trimmer import TrimmerParameters, forced_orbit, pin_model, response_at
 from trimmer.arrays import Reals
 from trimmer.linear import InputChannels

@@ -121,13 +121,7 @@ def corrected_programs(derivation: LinearTrimmer, parameters: TrimmerParameters)
         for content in contents()
     )
     runners = tuple(
-        Program(
-            name,
-            "",
-            title,
-            (),
-            template(f"{name}.j2").render(example=ExampleNumbers(), **shared),
-        )
+        Program(name, "", title, (), template(f"{name}.j2").render(example=ExampleNumbers(), **shared))
         for name, title in RUNNERS
     )
     return (*listings, *runners)

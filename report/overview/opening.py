@@ -17,10 +17,7 @@ SENTENCES = (
 def opening(known: Evidence) -> Opening:
     """Return the first screen; its template says before it how many printed things follow."""
     return Opening(
-        sentences=SENTENCES,
-        highlights=_highlights(known),
-        figure=opening_figure(known),
-        advice=LINES,
+        sentences=SENTENCES, highlights=_highlights(known), figure=opening_figure(known), advice=LINES
     )
 
 

@@ -53,12 +53,7 @@ ROOTS: Final = (
     Root(
         "Alone",
         "",
-        (
-            "txt-3.3-open-loop-odd",
-            "txt-3.3-peak-350",
-            "txt-6.3-friction-dominates",
-            "txt-7-play-stability",
-        ),
+        ("txt-3.3-open-loop-odd", "txt-3.3-peak-350", "txt-6.3-friction-dominates", "txt-7-play-stability"),
     ),
 )
 """The trees in the order of the thesis, the root of each first; last those that stand alone."""

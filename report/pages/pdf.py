@@ -32,11 +32,7 @@ class Head:
 
 
 def typeset(
-    head: Head,
-    body: str,
-    more: Mapping[str, bytes],
-    paper: Paper = Paper.A4,
-    store: StageStore | None = None,
+    head: Head, body: str, more: Mapping[str, bytes], paper: Paper = Paper.A4, store: StageStore | None = None
 ) -> bytes:
     """Return Typst source as PDF, below the head that all reports share.
 

@@ -43,11 +43,7 @@ def provenance(build_time: BuildTime | None = None) -> Provenance:
     """Describe the code that is running; in a git checkout by its commit, elsewhere by its version."""
     commit, date = _commit()
     return Provenance(
-        version=version("trimmer"),
-        commit=commit,
-        date=date,
-        libraries=libraries(),
-        build_time=build_time,
+        version=version("trimmer"), commit=commit, date=date, libraries=libraries(), build_time=build_time
     )
 
 

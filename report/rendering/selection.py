@@ -73,7 +73,5 @@ def without_links_to(text: str, omitted: Sequence[Chapter]) -> str:
     """Turn Markdown links to places in omitted chapters into their words."""
     places = {place for chapter in omitted for place in (chapter.id, *(f.id for f in chapter.findings))}
     return re.sub(
-        r"\[([^\[\]]*)\]\(#([^)\s]+)\)",
-        lambda link: link[1] if link[2] in places else link[0],
-        text,
+        r"\[([^\[\]]*)\]\(#([^)\s]+)\)", lambda link: link[1] if link[2] in places else link[0], text
     )

@@ -56,12 +56,7 @@ _KIND_NAMES = {
     Kind.LISTING: "Listing",
     Kind.STATEMENT: "Statement",
 }
-_ABBREVIATIONS = {
-    Kind.EQUATION: "Eq.",
-    Kind.FIGURE: "Fig.",
-    Kind.TABLE: "Table",
-    Kind.LISTING: "Listing",
-}
+_ABBREVIATIONS = {Kind.EQUATION: "Eq.", Kind.FIGURE: "Fig.", Kind.TABLE: "Table", Kind.LISTING: "Listing"}
 _KINDS_IN_WORDS = {
     Kind.EQUATION: ("equation", "equations"),
     Kind.FIGURE: ("figure", "figures"),

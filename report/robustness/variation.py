@@ -117,8 +117,5 @@ def _sensitivity(
     found = distribution_of(np.array([quantity.of(each) for each in samples]))
     band = (found.quantiles[0].value, found.quantiles[-1].value) if found else (np.nan, np.nan)
     return PredictionSensitivity(
-        quantity,
-        quantity.of(nominal),
-        tuple(sorted(effects, key=lambda effect: -effect.size)),
-        band,
+        quantity, quantity.of(nominal), tuple(sorted(effects, key=lambda effect: -effect.size)), band
     )

@@ -6,7 +6,7 @@ from pathlib import Path
 
 _LOADED = re.compile(
     r"""<(?:script|img|iframe|source|audio|video)\b[^>]*?\bsrc=["']?(?P<src>(?:https?:)?//[^"'\s>]+)"""
-    r"""|<link\b[^>]*?\bhref=["']?(?P<href>(?:https?:)?//[^"'\s>]+)""",
+    r"""|<link\b[^>]*?\bhref=["']?(?P<href>(?:https?:)?//[^"'\s>]+)"""
 )
 _LOADED_BY_STYLE = re.compile(r"""(?:url\(\s*|@import\s+)["']?((?:https?:)?//[^"')\s]+)""")
 

@@ -121,11 +121,7 @@ def sampled_servo() -> dict[str, float]:
             held[0] = controls[k]
             modes = machine.settled(t, y, modes)
     top = flight.extremes(lambda t, y: y[0])[1]
-    return {
-        "motor at the end": y[0],
-        "load at the end": y[1],
-        "overshoot": 100.0 * (top - 0.4) / 0.4,
-    }
+    return {"motor at the end": y[0], "load at the end": y[1], "overshoot": 100.0 * (top - 0.4) / 0.4}
 
 
 def sampled_axis() -> dict[str, float]:

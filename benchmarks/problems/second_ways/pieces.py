@@ -339,12 +339,7 @@ class Machine:
         return self.settled(t, y, tuple(modes))
 
     def fly(
-        self,
-        t: float,
-        y: np.ndarray,
-        until: float,
-        modes: tuple[int, ...] | None = None,
-        rtol: float = 0.0,
+        self, t: float, y: np.ndarray, until: float, modes: tuple[int, ...] | None = None, rtol: float = 0.0
     ) -> Flight:
         """Return the motion from a state to a time; ``rtol`` may be coarser than RTOL, not finer."""
         rtol = max(rtol, RTOL)

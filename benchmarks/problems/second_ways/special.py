@@ -91,11 +91,7 @@ def two_mass_stop() -> dict[str, float]:
     def of(omega: float) -> Machine:
         stop = Contact([1.0, 0.0], 100.0, 0.0, -np.inf, 1.0)
         return Machine(
-            np.eye(2),
-            0.03 * stiffness,
-            stiffness,
-            lambda t: np.array([0.0, 0.1 * cos(omega * t)]),
-            (stop,),
+            np.eye(2), 0.03 * stiffness, stiffness, lambda t: np.array([0.0, 0.1 * cos(omega * t)]), (stop,)
         )
 
     strobe = Strobe(of)

@@ -129,12 +129,7 @@ def describing_function() -> ProvenStep:
                 given=GIVEN,
             ),
             Equality("N_1", general_fundamental(), load.describing_function(ONE), "2.47", MEANINGS),
-            Equality(
-                "N_n",
-                general_harmonic(),
-                load.describing_function(HARMONIC),
-                given=MEANINGS,
-            ),
+            Equality("N_n", general_harmonic(), load.describing_function(HARMONIC), given=MEANINGS),
         ),
         code=(general_waveform, odd_harmonic, general_fundamental),
     )

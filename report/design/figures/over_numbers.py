@@ -217,11 +217,7 @@ def kind_map(drawn: DesignMap) -> Figure:
     across, up = (values / scale.factor for values, scale in zip(result.values, scales(drawn), strict=True))
     draw_cells(axes, across, up, numbers, colours, hatches)
     frame(axes, drawn)
-    axes.legend(
-        handles=legend_of(legend, result.inputs.waited),
-        loc="upper left",
-        bbox_to_anchor=(1.01, 1.0),
-    )
+    axes.legend(handles=legend_of(legend, result.inputs.waited), loc="upper left", bbox_to_anchor=(1.01, 1.0))
     return figure
 
 

@@ -31,10 +31,7 @@ def motion_over_time(signals: MotionSignals) -> Figure:
         *((OUTPUT_HEIGHT, each, unit) for unit, each in _by_unit(signals.outputs, signals.units, "m")),
         *((FORCE_HEIGHT, each, unit) for unit, each in _by_unit(signals.forces, signals.force_units, "N")),
     ]
-    heights = [
-        *(height for height, *_ in curves),
-        *([0.4 + BAR_HEIGHT * len(rows)] if rows else []),
-    ]
+    heights = [*(height for height, *_ in curves), *([0.4 + BAR_HEIGHT * len(rows)] if rows else [])]
     figure, all_axes = panels(
         sum(heights) + 0.4, len(heights), 1, sharex=True, height_ratios=heights, squeeze=False
     )

@@ -121,12 +121,7 @@ def _accelerations(trimmer: PlayedTrimmer, phase: PlayPhase, t: float, y: Reals)
     if phase.sliding == 0:  # what keeps the two at one acceleration
         friction = (p.m2 * on_guard - p.m4 * on_cutter) / (p.m2 + p.m4)
     return np.array(
-        [
-            on_motor / p.m1,
-            (on_cutter + friction) / p.m2,
-            on_housing / p.m3,
-            (on_guard - friction) / p.m4,
-        ]
+        [on_motor / p.m1, (on_cutter + friction) / p.m2, on_housing / p.m3, (on_guard - friction) / p.m4]
     ), friction
 
 

@@ -161,8 +161,5 @@ def _thinned(places: Reals, values: Reals) -> list[float]:
     return [
         number
         for index in kept
-        for number in (
-            *(round(float(place), 1) for place in places[index]),
-            float(f"{values[index]:.6g}"),
-        )
+        for number in (*(round(float(place), 1) for place in places[index]), float(f"{values[index]:.6g}"))
     ]

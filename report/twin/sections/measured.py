@@ -83,7 +83,5 @@ def between(known: Evidence) -> Observed:
 
 
 SECTION = SectionRecord(
-    "twin-measured",
-    "The measured spectra, by order and parity",
-    (without_play, with_play, mirrored, between),
+    "twin-measured", "The measured spectra, by order and parity", (without_play, with_play, mirrored, between)
 )

@@ -93,10 +93,7 @@ def friction_(known: Evidence) -> Observed:
     )
 
 
-@observation(
-    "twin-question-5",
-    source=NUMBERS,
-)
+@observation("twin-question-5", source=NUMBERS)
 def amplitude(known: Evidence) -> Observed:
     numbers = known.twin
     yield text(f"""
@@ -112,10 +109,7 @@ def amplitude(known: Evidence) -> Observed:
     )
 
 
-@observation(
-    "twin-question-6",
-    source=MAPS,
-)
+@observation("twin-question-6", source=MAPS)
 def frequency(known: Evidence) -> Observed:
     speed = known.twin.speed
     column = speed.column(EXPERIMENT_GAP)

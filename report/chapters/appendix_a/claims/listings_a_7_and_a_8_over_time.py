@@ -13,16 +13,7 @@ from report.chapters.second_ways import REPEATED
 from report.judging.claim import ClaimPart
 from report.judging.comparisons.assertion import Assertion
 from report.judging.comparisons.printed import product, total
-from report.judging.parts import (
-    More,
-    assertion,
-    close,
-    digits,
-    expression,
-    made_here,
-    part,
-    so,
-)
+from report.judging.parts import More, assertion, close, digits, expression, made_here, part, so
 from report.judging.record import Record, claim, text
 from report.judging.verdict import Certainty, Severity
 from report.numbers.evidence import Evidence

@@ -157,15 +157,7 @@ def cutoff(known: Evidence) -> Record:
     )
     for label, omega, height, wrong in readings:
         second = close(root, gain_crossing(numbers, height, omega), omega)
-        yield digits(
-            label,
-            "4.6329e+03",
-            omega,
-            "rad/s",
-            second=second,
-            slip=wrong,
-            item=item,
-        )
+        yield digits(label, "4.6329e+03", omega, "rad/s", second=second, slip=wrong, item=item)
     yield text(f"""
         The printed number is the highest frequency at which $|G| = 1$; above it the output is smaller than
         the input. As a rule the cutoff is where the gain is 3 dB below its static value. That is so first at
