@@ -8,15 +8,8 @@ import numpy as np
 import pytest
 
 from tests.quick import quick
-from trimmer import (
-    CoulombFriction,
-    FrictionBacklash,
-    InertiaBacklash,
-    UnsupportedMotionError,
-    ViscousBacklash,
-    ViscousFriction,
-    simulate,
-)
+from trimmer import UnsupportedMotionError, ViscousFriction, simulate
+from trimmer.elements import CoulombFriction, FrictionBacklash, InertiaBacklash, ViscousBacklash
 from trimmer.loops import BodyFriction, ClosedLoop, Drive, EnergyBalance, TrimmerLoop, energy_balance
 from trimmer.thesis import Displacement, InputChannels, TrimmerBody, TrimmerParameters
 
@@ -34,12 +27,8 @@ LOOPS = {
     "closed, friction": TrimmerLoop(THESIS, FrictionBacklash(4e-5), frictions=(BLADES,)),
     "driven, no play": TrimmerLoop(THESIS, None, DRIVE),
     "driven, play": TrimmerLoop(SOFT, ViscousBacklash(2e-4, 1e-3), DRIVE),
-    "driven, play, two frictions": TrimmerLoop(
-        THESIS, FrictionBacklash(2e-4), DRIVE, frictions=(BLADES, GUARD)
-    ),
-    "driven, friction, one channel": TrimmerLoop(
-        SOFT, None, DRIVE, frictions=(BLADES, GUARD), channels=ONE_CHANNEL
-    ),
+    "play, two frictions": TrimmerLoop(THESIS, FrictionBacklash(2e-4), DRIVE, frictions=(BLADES, GUARD)),
+    "friction, one channel": TrimmerLoop(SOFT, None, DRIVE, frictions=(BLADES, GUARD), channels=ONE_CHANNEL),
 }
 
 
@@ -133,7 +122,7 @@ def test_a_factor_of_a_friction_counts_in_its_loss_and_the_bridge_at_its_farthes
 
 def test_losses_are_those_of_sampled_velocities() -> None:
     """By the trapezium rule over fine samples: dampers from -c v^2, friction from force times velocity."""
-    loop = LOOPS["driven, friction, one channel"]
+    loop = LOOPS["friction, one channel"]
     motion = simulate(loop, 0.02)
     times = np.linspace(0.0, 0.02, 100_001)
     v = motion.state(times)[4:]

@@ -49,9 +49,7 @@ def moved(  # All that the laws vary.
 
 @settings(max_examples=7)
 @given(st.floats(-6, 6), st.booleans(), TAUS, CHANNELS)
-def test_displacements_scale_with_gap_drive_and_force(
-    exponent: float, driven: bool, tau: float, channels: InputChannels
-) -> None:
+def test_displacements_scale_with_gap_drive_and_force(exponent, driven, tau, channels) -> None:
     scale = 10**exponent
     one = moved(driven=driven, tau=tau, channels=channels)
     other = moved(scale=scale, driven=driven, tau=tau, channels=channels)
@@ -65,9 +63,7 @@ def test_displacements_scale_with_gap_drive_and_force(
 
 @settings(max_examples=7)
 @given(TAUS, CHANNELS)
-def test_the_mirrored_start_gives_the_mirrored_motion_to_the_last_bit(
-    tau: float, channels: InputChannels
-) -> None:
+def test_the_mirrored_start_gives_the_mirrored_motion_to_the_last_bit(tau, channels) -> None:
     one, other = (
         moved(scale=scale, driven=False, tau=tau, channels=channels, element_output=3e-5 * scale)
         for scale in (1.0, -1.0)
@@ -115,9 +111,7 @@ def undisturbed(channels: InputChannels) -> Motion:
 
 @settings(max_examples=10)
 @given(trimmers(), st.booleans(), CHANNELS)
-def test_without_play_and_friction_it_is_the_matrix_exponential(
-    parameters: TrimmerParameters, driven: bool, channels: InputChannels
-) -> None:
+def test_without_play_and_friction_it_is_the_matrix_exponential(parameters, driven, channels) -> None:
     drive = Drive(AMPLITUDE, OMEGA, 0.7) if driven else None
     loop = TrimmerLoop(parameters, None, drive, channels=channels)
     model = loop.model

@@ -8,7 +8,7 @@ import pytest
 import tqdm
 
 from trimmer import Relay, TrimmerLoop, TrimmerParameters, ViscousBacklash, ViscousFriction, simulate
-from trimmer.elements import CoulombFriction, Element, FrictionBacklash, InertiaBacklash
+from trimmer.elements import CoulombFriction, FrictionBacklash, InertiaBacklash
 from trimmer.errors import IllPosedLoopError
 from trimmer.loops import BodyFriction, ClosedLoop, Drive, OpenLoop, Outcome, SimulationInterrupted
 from trimmer.thesis import Displacement, InputChannels, TrimmerBody
@@ -60,9 +60,7 @@ def test_states_and_an_impulse_add() -> None:
     ("pin", "asked", "found"),
     [(0.0, 1e-5, 1e-5), (2e-5, 0.0, 0.0), (-2e-5, 0.0, 0.0), (3e-5, 0.0, 1e-5), (-3e-5, 0.0, -1e-5)],
 )
-def test_a_load_starts_where_it_is_asked_to_or_in_contact(
-    element: Element, pin: float, asked: float, found: float
-) -> None:
+def test_a_load_starts_where_it_is_asked_to_or_in_contact(element, pin, asked, found) -> None:
     loop = ClosedLoop(control.ss(control.tf([1.0], [1.0, 0.3, 1.0])), element)
     row = loop.model.C[0]
     motion = simulate(loop, 1e-9, initial_state=-pin * row / (row @ row), element_output=asked)

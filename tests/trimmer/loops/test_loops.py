@@ -1,4 +1,4 @@
-"""Any linear system with an element, closed or driven, against `solve_ivp`."""
+"""Any linear system with an element, closed or driven, against `solve_ivp`; with direct feedthrough too."""
 
 import math
 
@@ -58,9 +58,7 @@ def compare(
 @pytest.mark.parametrize(("element", "tau"), BACKLASHES)
 @pytest.mark.parametrize("system", quick([THIRD_ORDER, WITH_ZERO], 1))
 @pytest.mark.parametrize("drive", [None, (*DRIVE[:2], 0.0)])
-def test_backlash(
-    element: Element, tau: float, system: control.StateSpace, drive: tuple[float, float, float] | None
-) -> None:
+def test_backlash(element, tau, system, drive) -> None:
     start = with_pin_in_the_middle(system)
     course = play(plant(system, drive), GAP, tau, start, 6.0)
     compare(system, element, drive, start, course, 6.0)
@@ -119,3 +117,24 @@ def test_a_transfer_function_moves_as_its_state_space_model() -> None:
         simulate(ClosedLoop(form, FrictionBacklash(GAP)), 5.0, impulse=1.0) for form in (system, THIRD_ORDER)
     ]
     assert motions[0].output(times) == pytest.approx(motions[1].output(times), abs=1e-12)
+
+
+PUSH = Drive(0.3, 2.0 * math.pi)
+TIMES = np.linspace(0.0, 3.0, 301)
+
+
+def system(direct: float) -> control.StateSpace:
+    """Two damped modes beside what passes at once."""
+    A = np.array([[0.0, 1.0, 0.0], [-30.0, -0.8, 0.0], [0.0, 0.0, -2.0]])
+    return control.ss(A, [[0.0], [5.0], [1.0]], [[1.0, 0.1, -0.4]], [[direct]])
+
+
+@pytest.mark.parametrize("element", [2.0 * FrictionBacklash(0.1), ViscousBacklash(0.1, 0.05)])
+def test_a_driven_system_adds_the_element_output_times_d(element: Element) -> None:
+    """The element follows the drive alone, so the outputs differ by D times its output."""
+    motions = [simulate(OpenLoop(system(d), element, PUSH), 3.0) for d in (0.0, 0.7)]
+    added = motions[1].output(TIMES) - motions[0].output(TIMES)
+    passed = motions[1].element_output(TIMES)
+    assert np.ptp(passed) > 0.1
+    assert added == pytest.approx(0.7 * passed, abs=1e-12)
+    assert motions[1].state(TIMES) == pytest.approx(motions[0].state(TIMES), abs=1e-12)

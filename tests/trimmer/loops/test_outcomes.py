@@ -109,9 +109,7 @@ def test_a_huge_time_constant_tends_to_inertia_controlled(tau: float) -> None:
 
 
 def test_an_unstable_loop_diverges_and_says_so() -> None:
-    motion = simulate(
-        ClosedLoop(control.tf([1.0], [1.0, -3.0, 1.0]), FrictionBacklash(1.0)), 1e4, impulse=10.0
-    )
+    motion = simulate(ClosedLoop(control.tf([1.0], [1, -3, 1]), FrictionBacklash(1.0)), 1e4, impulse=10.0)
     assert motion.outcome is Outcome.DIVERGED
     assert motion.duration < 1e4
     state = motion.state(motion.duration)

@@ -2,13 +2,11 @@
 
 import itertools
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from tests.quick import quick
-from tests.trimmer.loops.reference.peer_trimmer import PUSH, Friction, PeerTrimmer
 from trimmer import CoulombFriction, FrictionBacklash, InertiaBacklash, Motion, energy_balance, simulate
 from trimmer.elements import Element
 from trimmer.loops import BodyFriction, Drive, EventKind, Outcome, TrimmerLoop
@@ -62,9 +60,13 @@ def loop_of(ring: Ring, element: Element | None = None, drive: Drive | None = DR
     return TrimmerLoop(THESIS, element, drive, channels=InputChannels.DISPLACEMENT_ONLY, frictions=frictions)
 
 
-def peer_of(ring: Ring) -> PeerTrimmer:
-    frictions = tuple(Friction(each.row, force) for each, force in ring)
-    return PeerTrimmer(THESIS, False, (AMPLITUDE, OMEGA), None, 0.0, frictions)
+def matrices() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the masses, C and K of the trimmer, from its springs and dampers."""
+    p = THESIS
+    ends = ((1, 0, 0, 0), (1, -1, 0, 0), (0, 0, 1, 0), (0, 0, 1, -1), (0, 1, -1, 0))
+    dampers, springs = (p.c1, p.c2, p.c3, p.c4, 0.0), (p.k1, p.k2, p.k3, p.k4, p.k5)
+    C, K = (sum(x * np.outer(row, row) for row, x in zip(ends, of, strict=True)) for of in (dampers, springs))
+    return np.array([p.m1, p.m2, p.m3, p.m4]), C, K
 
 
 def check_laws(ring: Ring, duration: float) -> Motion:
@@ -79,8 +81,8 @@ def check_laws(ring: Ring, duration: float) -> Motion:
     times = 0.5 * (ends[:-1, None] + ends[1:, None] + np.diff(ends)[:, None] * nodes)
     states, forces = motion.state(times), motion.component_outputs(times)[1:]
     rows, limits = np.array([each.row for each, _ in ring]), np.array([force for _, force in ring])
-    masses, C, K = replace(peer_of(ring), frictions=()).matrices()
-    push = np.multiply.outer(PUSH, THESIS.k2 * AMPLITUDE * np.sin(OMEGA * times))
+    masses, C, K = matrices()
+    push = np.multiply.outer([-1.0, 1.0, 0.0, 0.0], THESIS.k2 * AMPLITUDE * np.sin(OMEGA * times))
     terms = [push, -np.tensordot(K, states[:4], 1), -np.tensordot(C, states[4:], 1)]
     terms.append(-np.tensordot(rows.T, forces, 1))
     impulses = 0.5 * np.diff(ends) * (sum(terms) @ weights)
