@@ -61,9 +61,7 @@ def watch(step: Step, guards: Watch, armed: np.ndarray) -> Watched:
     may_end = reached[:, :-1] & ((values[:, 1:] < 0) | dips)
     lost = ~reached[:, 1:] & (values[:, 1:] < -1e3 * guards.positive[:, None])
     for place in np.flatnonzero(np.any(may_end | lost, axis=0)):
-        ended = [
-            _end(step, guards, row, times[place : place + 2]) for row in np.flatnonzero(may_end[:, place])
-        ]
+        ended = [_end(step, guards, row, times[place:][:2]) for row in np.flatnonzero(may_end[:, place])]
         known = [time for time in ended if time is not None]
         if known:
             return Watched(reached[:, place], min(known))

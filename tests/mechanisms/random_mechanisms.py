@@ -11,21 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from trimmer import ContactLaw, Force
-from trimmer.mechanism import (
-    GROUND,
-    Body,
-    Friction,
-    Link,
-    Mechanism,
-    Output,
-    Pin,
-    Play,
-    Point,
-    Stop,
-    Structure,
-    Wall,
-)
+from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Output, Pin, Play, Stop
+from trimmer.mechanism import GROUND, Point, Structure, Wall
 from trimmer.mechanism.parts import COUPLINGS
 
 LAWS = tuple(ContactLaw)

@@ -85,6 +85,4 @@ def mechanisms(draw, most_bodies=4):
 
 
 def _parts(kind, part):
-    return st.lists(part, max_size=2).map(
-        lambda parts: {f"{kind} {index}": each for index, each in enumerate(parts)}
-    )
+    return st.lists(part, max_size=2).map(lambda parts: {f"{kind} {i}": each for i, each in enumerate(parts)})

@@ -24,8 +24,11 @@ def mechanisms(draw: st.DrawFn) -> Mechanism:
     sits = {"ground": "ground", **{body: body for body in bodies}, **carriers}
     pairs = [(a, b) for a in sits for b in sits if sits[a] != sits[b]]
     between = st.sampled_from(pairs)
-    link = st.builds(Link, between, NOT_NEGATIVE, NOT_NEGATIVE)
     laws = st.sampled_from(ContactLaw)
+
+    def parts(kind, *of):
+        return draw(st.dictionaries(NAMES, st.builds(kind, *of), max_size=2))
+
     return Mechanism(
         title=draw(st.text(max_size=8).filter(str.isprintable)),
         frequency=draw(POSITIVE),
@@ -39,38 +42,12 @@ def mechanisms(draw: st.DrawFn) -> Mechanism:
             for name, on in carriers.items()
         },
         links={f"mount {number}": Link(("ground", body), 1.0) for number, body in enumerate(bodies)}
-        | draw(st.dictionaries(NAMES, link, max_size=2)),
-        plays=draw(
-            st.dictionaries(
-                NAMES, st.builds(Play, between, POSITIVE, NOT_NEGATIVE, NOT_NEGATIVE, laws), max_size=2
-            )
-        ),
-        stops=draw(
-            st.dictionaries(
-                NAMES, st.builds(Stop, between, POSITIVE, NOT_NEGATIVE, NUMBERS, laws), max_size=2
-            )
-        ),
-        frictions=draw(
-            st.dictionaries(
-                NAMES, st.builds(friction, between, NOT_NEGATIVE, NOT_NEGATIVE, NOT_NEGATIVE), max_size=2
-            )
-        ),
-        forces=draw(
-            st.dictionaries(
-                NAMES,
-                st.builds(
-                    Force, st.sampled_from(bodies), NUMBERS, NUMBERS, NUMBERS, st.integers(1, 9), NUMBERS
-                ),
-                max_size=2,
-            )
-        ),
-        outputs=draw(
-            st.dictionaries(
-                NAMES,
-                st.builds(Output, st.dictionaries(st.sampled_from(names), NUMBERS, min_size=1)),
-                max_size=2,
-            )
-        ),
+        | parts(Link, between, NOT_NEGATIVE, NOT_NEGATIVE),
+        plays=parts(Play, between, POSITIVE, NOT_NEGATIVE, NOT_NEGATIVE, laws),
+        stops=parts(Stop, between, POSITIVE, NOT_NEGATIVE, NUMBERS, laws),
+        frictions=parts(friction, between, NOT_NEGATIVE, NOT_NEGATIVE, NOT_NEGATIVE),
+        forces=parts(Force, st.sampled_from(bodies), *[NUMBERS] * 3, st.integers(1, 9), NUMBERS),
+        outputs=parts(Output, st.dictionaries(st.sampled_from(names), NUMBERS, min_size=1)),
         start=draw(st.dictionaries(st.sampled_from(bodies), st.tuples(NUMBERS, NUMBERS))),
     )
 

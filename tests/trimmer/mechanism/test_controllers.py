@@ -17,6 +17,7 @@ from trimmer.mechanism import (
     StepReference,
     TransferController,
 )
+from trimmer.mechanism.controls.idle import idle_controllers
 
 TEXT = """\
 [bodies]
@@ -137,9 +138,7 @@ def test_what_will_not_do_is_told(text: str, sentence: str) -> None:
         axis(measure='"torque"', sample="1e-3", delay='"2 ms"'),
         cascade(measure='"rate"', speed='"way"', kp="1", kv='"2 N"', ti="1", limit="1"),
         cascade(measure='"way"', kp='"3 s^-1"', kv="1", speed='"difference"', sample="1e-3"),
-        transfer(numerator="[0, 1, 2]", limit='"1 N m"', acts='["ground", "rack"]').replace(
-            '"1 N m"', '"1 N"'
-        ),
+        transfer(numerator="[0, 1, 2]", limit='"1 N"', acts='["ground", "rack"]'),
         reference("{ ramp = '20 rpm', at = '1 s' }"),
         reference("{ sine = 1, frequency = '3 Hz', phase = '90 deg' }"),
         reference("{ profile = [[0, '2 deg'], ['1 s', 3]] }"),
@@ -259,3 +258,40 @@ def test_both_ends_take_the_force_in_the_equations() -> None:
 def test_a_number_that_is_not_given_is_to_be_written_first() -> None:
     with pytest.raises(MechanismError, match=r"controllers\.axis\.sample is not given; write it into"):
         Mechanism.from_toml_text(axis(kp="1")).with_value("controllers.axis.sample", 1e-3)
+
+
+MACHINE = """
+[bodies]
+motor = { mass = 1.0 }
+[links]
+guide = { between = ["ground", "motor"], damping = 1.0 }
+[outputs]
+x = { motor = 1 }
+[controllers.axis]
+measure = "x"
+reference = "path"
+acts = ["ground", "motor"]
+KIND
+[references]
+path = { step = 1.0 }
+"""
+
+
+@pytest.mark.parametrize(
+    ("kind", "told"),
+    [
+        ('kind = "pid"', "never acts: kp, ki and kd are 0 where they are not given"),
+        ('kind = "pid"\nki = 1.0', ""),
+        ('kind = "cascade"\nkp = 3.0', "never acts: kv is 0 where it is not given"),
+        ('kind = "cascade"\nkv = 0\nti = 1.0', "never acts: kv is 0 where it is not given"),
+        (
+            'kind = "cascade"\nkv = 2',
+            "does not follow its reference, but brakes alone: kp is 0 where it is not given",
+        ),
+        ('kind = "cascade"\nkv = 2\nkp = 1', ""),
+        ('kind = "transfer"\nnumerator = [0]\ndenominator = [1.0]', "never acts: all of its numerator is 0"),
+    ],
+)
+def test_what_never_acts_is_told(kind: str, told: str) -> None:
+    mechanism = Mechanism.from_toml_text(MACHINE.replace("KIND", kind))
+    assert list(idle_controllers(mechanism.controllers)) == ([f"controllers.axis {told}"] if told else [])

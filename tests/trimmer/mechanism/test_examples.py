@@ -109,9 +109,7 @@ def test_files_in_the_document_are_read(document: str) -> None:
     assert housing.coordinates == ("housing.u1", "housing.u2", "housing.eta")
 
 
-def test_python_in_the_document_prints_what_is_shown(
-    document: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_python_in_the_document_prints_what_is_shown(document: str, monkeypatch, capsys) -> None:
     monkeypatch.chdir(FOLDER)
     code = re.findall(r"```python\n(.*?)```", document, flags=re.DOTALL)
     assert len(code) == 3

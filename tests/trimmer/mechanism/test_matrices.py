@@ -120,9 +120,8 @@ def test_a_motion_of_everything_together_loads_only_links_to_the_ground(mechanis
         if "ground" in on:
             expected[bodies.index(next(body for body in on if body != "ground"))] += link.stiffness
     size = abs(matrices.stiffness).max()
-    np.testing.assert_allclose(
-        matrices.stiffness @ np.ones(len(bodies)), expected, rtol=1e-9, atol=1e-9 * size
-    )
+    loads = matrices.stiffness @ np.ones(len(bodies))
+    np.testing.assert_allclose(loads, expected, rtol=1e-9, atol=1e-9 * size)
 
 
 def test_rows_give_the_displacement_of_each_end() -> None:

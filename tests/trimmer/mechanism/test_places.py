@@ -1,7 +1,6 @@
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -65,42 +64,20 @@ def test_numbers_that_do_not_go_together_are_refused_one_by_one_too() -> None:
 
 def test_all_numbers_have_places() -> None:
     assert dict(TRIMMER.places) == {
-        "frequency": "Hz",
-        "bodies.motor.mass": "kg",
-        "bodies.cutter.mass": "kg",
-        'bodies."2. guard".mass': "kg",
-        "pins.pin.amplitude": "m",
-        "pins.pin.phase": "rad",
-        "pins.pin.offset": "m",
-        "pins.pin.velocity": "m/s",
-        "pins.pin.order": "1",
-        'links."motor mount".stiffness': "N/m",
-        'links."motor mount".damping': "N s/m",
-        'links."guard spring".stiffness': "N/m",
-        'links."guard spring".damping': "N s/m",
-        "plays.bridge.stiffness": "N/m",
-        "plays.bridge.damping": "N s/m",
-        "plays.bridge.gap": "m",
-        "stops.wall.stiffness": "N/m",
-        "stops.wall.damping": "N s/m",
-        "stops.wall.gap": "m",
-        "frictions.blade.force": "N",
-        "frictions.blade.static": "N",
-        "frictions.blade.viscous": "N s/m",
-        "forces.rotor.constant": "N",
-        "forces.rotor.amplitude": "N",
-        "forces.rotor.phase": "rad",
-        "forces.rotor.order": "1",
-        "forces.rotor.unbalance": "kg m",
-        "outputs.stroke.cutter": "1",
-        'outputs.stroke."2. guard"': "1",
-        "start.motor.displacement": "m",
-        "start.motor.velocity": "m/s",
-        "start.cutter.displacement": "m",
-        "start.cutter.velocity": "m/s",
-        'start."2. guard".displacement': "m",
-        'start."2. guard".velocity': "m/s",
-    }
+        "frequency": "Hz", "bodies.motor.mass": "kg", "bodies.cutter.mass": "kg",
+        'bodies."2. guard".mass': "kg", "pins.pin.amplitude": "m", "pins.pin.phase": "rad",
+        "pins.pin.offset": "m", "pins.pin.velocity": "m/s", "pins.pin.order": "1",
+        'links."motor mount".stiffness': "N/m", 'links."motor mount".damping': "N s/m",
+        'links."guard spring".stiffness': "N/m", 'links."guard spring".damping': "N s/m",
+        "plays.bridge.stiffness": "N/m", "plays.bridge.damping": "N s/m", "plays.bridge.gap": "m",
+        "stops.wall.stiffness": "N/m", "stops.wall.damping": "N s/m", "stops.wall.gap": "m",
+        "frictions.blade.force": "N", "frictions.blade.static": "N", "frictions.blade.viscous": "N s/m",
+        "forces.rotor.constant": "N", "forces.rotor.amplitude": "N", "forces.rotor.phase": "rad",
+        "forces.rotor.order": "1", "forces.rotor.unbalance": "kg m", "outputs.stroke.cutter": "1",
+        'outputs.stroke."2. guard"': "1", "start.motor.displacement": "m", "start.motor.velocity": "m/s",
+        "start.cutter.displacement": "m", "start.cutter.velocity": "m/s",
+        'start."2. guard".displacement': "m", 'start."2. guard".velocity': "m/s",
+    }  # fmt: skip
 
 
 @settings(max_examples=8)
@@ -115,16 +92,8 @@ def test_a_number_that_is_set_is_read_back_and_no_other_changes(mechanism: Mecha
     changed = mechanism.with_value(place, number)
     assert changed.value(place) == number
     others = set(mechanism.places) - {place, place.removesuffix("force") + "static"}
-    assert {other: changed.value(other) for other in others} == {
-        other: mechanism.value(other) for other in others
-    }
+    assert {each: changed.value(each) for each in others} == {each: mechanism.value(each) for each in others}
     assert changed.with_value(place, mechanism.value(place)).value(place) == mechanism.value(place)
-
-
-def test_the_mechanism_itself_stays() -> None:
-    changed = TRIMMER.with_value("plays.bridge.gap", np.float64(2e-4))
-    assert (TRIMMER.value("plays.bridge.gap"), changed.value("plays.bridge.gap")) == (40e-6, 2e-4)
-    assert list(changed.bodies) == list(TRIMMER.bodies)
 
 
 def test_the_static_force_is_the_kinetic_one_until_it_is_set() -> None:
@@ -153,6 +122,7 @@ def test_a_mechanism_may_get_a_frequency() -> None:
         ("plays.bridge.gap", -1e-6, "plays.bridge.gap = -1e-06: must be zero or greater, in m"),
         ("plays.bridge.gap", "3 kg", "plays.bridge.gap = '3 kg': 'kg' does not measure what m does"),
         ("plays.bridge.gap", "3", "has no unit"),
+        ("plays.bridge.gap", "__import__('os').getpid()", "is no number with a unit; text is not evaluated"),
         ("plays.bridge.gap", True, "give a number"),
         ("plays.bridge.gap", None, "give a number"),
         ("pins.pin.order", 1.5, "must be a whole number from 1 on"),
@@ -215,11 +185,6 @@ def test_assignments_of_the_command_line(text: str, place: str, number: float) -
 def test_what_sets_nothing_is_refused(text: str) -> None:
     with pytest.raises(MechanismError, match=r"sets nothing|is no place"):
         assignment(text)
-
-
-def test_no_text_is_evaluated() -> None:
-    with pytest.raises(MechanismError, match="is no number with a unit; text is not evaluated"):
-        TRIMMER.with_value(*assignment("plays.bridge.gap=__import__('os').getpid()"))
 
 
 @given(st.lists(NAMES, min_size=1, max_size=4).map(tuple))

@@ -71,9 +71,7 @@ def test_outputs_of_every_kind_have_the_response_of_their_kind() -> None:
         "slot": Output(kind=OutputKind.FORCE, part="slot"),
         "guide": Output(kind=OutputKind.FORCE, part="guide"),
     }
-    machine = replace(
-        MACHINE, outputs={"tool": Output({"tool": 1.0}), "frame": Output({"frame": 1.0}), **kinds}
-    )
+    machine = replace(MACHINE, outputs={"tool": Output({"tool": 1}), "frame": Output({"frame": 1}), **kinds})
     s = 2j * np.pi * np.array([0.5, 3.0, 40.0, 900.0])
     for contacts, slot in (("closed", 5e3 + 4.0 * s), ("open", 0.0 * s)):
         tool, frame, *found = np.squeeze(machine.state_space(contacts, inputs=["load"])(s))

@@ -184,9 +184,7 @@ def test_what_is_no_structure_is_refused(folder: Path, keys: str, sentence: str)
         (True, "tip", '[start]\n"housing.tip" = [1, 0]\n', "a point of modes starts where these put it"),
     ],
 )  # fmt: skip
-def test_ends_that_are_none_are_refused(
-    folder: Path, modal: bool, end: str, more: str, sentence: str
-) -> None:
+def test_ends_that_are_none_are_refused(folder, modal, end, more, sentence) -> None:
     keys = 'modes = "modes.csv"\n' if modal else WHOLE
     assert sentence in refusal(folder, keys, end, more)
 
