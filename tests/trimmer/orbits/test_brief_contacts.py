@@ -41,9 +41,7 @@ def assert_returns(orbit: PeriodicOrbit) -> None:
         1,
     ),
 )
-def test_a_stable_orbit_with_brief_contacts_is_where_a_long_motion_ends(
-    system: control.StateSpace, element: Element
-) -> None:
+def test_a_stable_orbit_with_brief_contacts_is_where_a_long_motion_ends(system, element) -> None:
     (orbit,) = periodic_orbits(system, element)
     assert orbit.stable
     assert orbit.amplitude == pytest.approx(final_amplitude(system, element, orbit.period), rel=1e-5)

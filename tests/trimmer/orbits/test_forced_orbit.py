@@ -103,9 +103,7 @@ def test_a_motion_that_does_not_settle_is_told() -> None:
     ],
     ids=["resonance", "of a harmonic", "fast", "with an integrator", "double"],
 )
-def test_at_an_undamped_resonance_there_is_no_orbit(
-    element: Element, system: control.TransferFunction, omega: float, told: str
-) -> None:
+def test_at_an_undamped_resonance_there_is_no_orbit(element, system, omega, told) -> None:
     with pytest.raises(OrbitNotFoundError, match=f"undamped pole at {told}"):
         forced_orbit(OpenLoop(system, element, Drive(2.0, omega)))
 
@@ -121,9 +119,7 @@ def test_beside_an_undamped_resonance_there_is_one(damping: float, detuning: flo
 
 
 @pytest.mark.parametrize("denominator", [[1, 0], [1, 0, 4]])
-def test_an_undamped_pole_that_the_output_does_not_drive_leaves_a_neutral_orbit(
-    denominator: list[float],
-) -> None:
+def test_an_undamped_pole_that_the_output_does_not_drive_leaves_a_neutral_orbit(denominator) -> None:
     """An odd element gives no constant and no even harmonics."""
     loop = OpenLoop(control.tf([1], denominator), FrictionBacklash(1.0), Drive(2.0, 1.0))
     orbit = forced_orbit(loop)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from trimmer import UnsupportedMotionError, forced_orbit, linear_model, periodic_orbits, pin_model, simulate
-from trimmer.elements import CoulombFriction, Element, FrictionBacklash, InertiaBacklash, ViscousBacklash
+from trimmer.elements import CoulombFriction, FrictionBacklash, InertiaBacklash, ViscousBacklash
 from trimmer.errors import WrongTypeError
 from trimmer.loops import BodyFriction, Drive, LoopSignal, OpenLoop, TrimmerLoop
 from trimmer.thesis import Displacement, InputChannels, TrimmerBody, TrimmerParameters
@@ -70,9 +70,7 @@ def test_the_input_of_the_element_is_the_drive(orbit) -> None:
 
 @pytest.mark.parametrize("element", [FrictionBacklash(2e-4), ViscousBacklash(2e-4, 1e-3)])
 @pytest.mark.parametrize("channels", InputChannels)
-def test_harmonics_are_those_of_describing_functions_and_frequency_response(
-    element: Element, channels: InputChannels
-) -> None:
+def test_harmonics_are_those_of_describing_functions_and_frequency_response(element, channels) -> None:
     system = pin_model(THESIS, channels=channels)
     orbit = forced_orbit(OpenLoop(system, element, DRIVE))
     for n in (1, 3, 5):
@@ -86,9 +84,7 @@ def test_harmonics_are_those_of_describing_functions_and_frequency_response(
 
 @pytest.mark.parametrize("phase", [0.0, 2.0, -3.0])
 def test_phase_is_relative_to_the_drive_however_that_begins(phase: float) -> None:
-    loops = [
-        TrimmerLoop(THESIS, FrictionBacklash(2e-4), Drive(1.5e-3, 700.0, start)) for start in (0.3, phase)
-    ]
+    loops = [TrimmerLoop(THESIS, FrictionBacklash(2e-4), Drive(1.5e-3, 700.0, at)) for at in (0.3, phase)]
     first, other = (forced_orbit(loop) for loop in loops)
     turned = np.exp(1j * (phase - 0.3)) * first.harmonics_of()[0]
     assert other.harmonics_of()[0] == pytest.approx(turned, rel=1e-9)
@@ -133,9 +129,8 @@ def test_a_limit_cycle_has_strokes_and_impacts() -> None:
     assert orbit.drive is None
     assert orbit.stroke_of(LoopSignal.ELEMENT_INPUT) == pytest.approx(2 * orbit.amplitude, rel=1e-12)
     assert orbit.stroke_of() == pytest.approx(2 * orbit.amplitude, rel=1e-12)
-    np.testing.assert_allclose(
-        orbit.harmonics_of(LoopSignal.ELEMENT_INPUT), orbit.harmonics, atol=1e-9 * orbit.amplitude
-    )
+    found = orbit.harmonics_of(LoopSignal.ELEMENT_INPUT)
+    np.testing.assert_allclose(found, orbit.harmonics, atol=1e-9 * orbit.amplitude)
     assert len(orbit.impacts) == 2
     assert orbit.impact_speeds[0] == pytest.approx(orbit.impact_speeds[1], rel=1e-6)
 

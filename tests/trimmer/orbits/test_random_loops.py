@@ -18,9 +18,7 @@ ALWAYS = OrbitSearch(Simulations.ALWAYS)
 def test_no_stable_orbit_is_missed(number: int) -> None:
     loop = random_loop(number)
     expected = stable_amplitudes(loop)
-    found = [
-        orbit.amplitude for orbit in periodic_orbits(ClosedLoop(loop.system, loop.element), search=ALWAYS)
-    ]
+    found = [each.amplitude for each in periodic_orbits(ClosedLoop(loop.system, loop.element), search=ALWAYS)]
     assert expected
     assert all(any(abs(other / each - 1) < 1e-3 for other in found) for each in expected)
 

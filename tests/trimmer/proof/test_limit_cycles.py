@@ -139,9 +139,7 @@ def proven_and_held_against_brute_force(seeds: range) -> int:
     return count
 
 
-@pytest.mark.parametrize(
-    "seeds", quick([range(4), *(range(first, first + 20) for first in range(4, 204, 20))], 0)
-)
+@pytest.mark.parametrize("seeds", quick([range(4), *(range(k, k + 20) for k in range(4, 204, 20))], 0))
 def test_of_random_loops_none_is_proven_wrongly(seeds: range) -> None:
     """Of 4 to 203 it was 185; the other 15 were undecided."""
     assert proven_and_held_against_brute_force(seeds), "nothing was held against brute force"
@@ -182,9 +180,7 @@ def test_a_file_is_verified_in_another_process(proof: Proof, tmp_path: Path) -> 
         (("trimmer proof",), 2, 'begins with "trimmer proof": 1'),
     ],
 )
-def test_a_file_that_was_made_false_is_refused(
-    proof: Proof, tmp_path: Path, capsys: pytest.CaptureFixture[str], place: tuple, value: object, told: str
-) -> None:
+def test_a_file_that_was_made_false_is_refused(proof, tmp_path, capsys, place, value, told) -> None:
     path = tmp_path / "proof.json"
     proof.write(path)
     content = json.loads(path.read_text())
@@ -216,9 +212,7 @@ def test_the_proofs_that_are_kept_hold(path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["thesis-limit-cycles", "thesis-stable-orbit"])
-def test_what_is_not_verified_in_the_time_is_not_refuted(
-    name: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_what_is_not_verified_in_the_time_is_not_refuted(name: str, capsys) -> None:
     path = str(next(each for each in KEPT if each.stem == name))
     assert main(["check", path, "--limit", "1e-6"]) == 3
     told = capsys.readouterr()

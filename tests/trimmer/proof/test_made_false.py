@@ -17,7 +17,7 @@ import pytest
 import scipy.linalg
 
 from tests.trimmer.proof.test_limit_cycles import LOOPS, balanced
-from tests.trimmer.proof.test_orbits import ORBITS
+from tests.trimmer.proof.test_orbits import ORBITS, at
 from tests.trimmer.proof.test_special_points import proven
 from trimmer import ClosedLoop, ViscousFriction
 
@@ -126,10 +126,6 @@ def without_limits(data: Data) -> None:
         each["strict"] = []
 
 
-def together_with_nothing(data: Data) -> None:
-    data["motion"]["segments"][-1]["together"] = [0]
-
-
 def sizes_of_others(data: Data) -> None:
     data["motion"]["sizes"][1] *= 1e-30
     data["motion"]["state"][0] *= 1 + 1e-6
@@ -140,16 +136,8 @@ def clock_of_another_period(data: Data) -> None:
     sample[0] *= data["equations"]["period"] / (data["equations"]["period"] - 0.3 * sample[0])
 
 
-def begun_at_a_touch(data: Data) -> None:
-    data["motion"]["segments"][0]["zeros"] = [[0, 1]]
-
-
 def ended_twice(data: Data) -> None:
     next(each for each in data["motion"]["segments"] if each["fired"] is not None)["at"] = 0.0
-
-
-def with_remark(data: Data) -> None:
-    data["motion"]["remark"] = "it is the only one"
 
 
 def of_words(data: Data) -> None:
@@ -170,10 +158,6 @@ def in_a_mode_that_is_no_mirror_image(data: Data) -> None:
         each[-1]["functions"].append([0.0] * (len(each[-1]["flow"][0]) - 1) + [1.0])
 
 
-def of_another_value(data: Data) -> None:
-    data["value"] *= 1 + 2e-6
-
-
 def of_half_a_motion(data: Data) -> None:
     data["motion"]["signs"] = []
     data["kind"] = "period-doubling"
@@ -192,20 +176,18 @@ CHANGES = [
     ("without events", halved_at_its_start, "the states jump where the motion begins"),
     ("without events", off_in_units_of_its_own, "of state 0 is none that the motion reaches"),
     ("without events", sizes_of_others, "the motion begins elsewhere: state 0"),
-    ("relay", begun_at_a_touch, "the motion begins or ends at an event"),
+    ("relay", at("motion", "segments", 0, "zeros", to=[[0, 1]]), "the motion begins or ends at an event"),
     ("sampled, at its limit", ended_twice, "a segment ends without an event"),
     ("sampled, at its limit", without_limits, "the file says another theorem"),
-    ("relay", together_with_nothing, "an event function is named where none ends"),
-    ("relay", with_remark, "unknown key 'remark'"),
+    ("relay", at("motion", "segments", -1, "together", to=[0]), "an event function is named where none ends"),
+    ("relay", at("motion", "remark", to="it is the only one"), "unknown key 'remark'"),
     ("relay", of_words, "not a number"),
     ("relay", of_a_mode_from_behind, "there is no mode -2"),
 ]
 
 
 @pytest.mark.parametrize(("name", "change", "told"), CHANGES)
-def test_an_orbit_that_was_made_false_is_refused(
-    tmp_path: Path, name: str, change: Change, told: str
-) -> None:
+def test_an_orbit_that_was_made_false_is_refused(tmp_path, name: str, change: Change, told: str) -> None:
     require_refused(tmp_path / "orbit.json", written("orbit", name), change, told)
 
 
@@ -214,12 +196,10 @@ def test_an_orbit_that_was_made_false_is_refused(
     [
         ("stops", in_a_mode_that_is_no_mirror_image, "does not end in the mode in which it begins"),
         ("stops", of_half_a_motion, "half of a motion has signs, and no other has"),
-        ("doubling", of_another_value, "nearest to it is at 0.88437926"),
+        ("doubling", at("value", by=1 + 2e-6), "nearest to it is at 0.88437926"),
     ],
 )
-def test_a_special_point_that_was_made_false_is_refused(
-    tmp_path: Path, name: str, change: Change, told: str
-) -> None:
+def test_a_special_point_that_was_made_false_is_refused(tmp_path, name, change, told) -> None:
     require_refused(tmp_path / "special.json", written("special", name), change, told)
 
 
@@ -235,18 +215,12 @@ def test_a_special_point_that_was_made_false_is_refused(
         ("the thesis's", "frozen_omega", 5000.0, "frozen"),
     ],
 )
-def test_an_element_that_is_none_is_refused(
-    tmp_path: Path, name: str, place: str, value: object, told: str
-) -> None:
-    def change(data: Data) -> None:
-        data["element"][0][place] = value
-
-    require_refused(tmp_path / "list.json", written("list", name), change, told)
+def test_an_element_that_is_none_is_refused(tmp_path, name, place, value, told) -> None:
+    require_refused(tmp_path / "list.json", written("list", name), at("element", 0, place, to=value), told)
 
 
 def test_what_a_list_says_besides_is_refused(tmp_path: Path) -> None:
-    def stable(data: Data) -> None:
-        data["limit_cycles"][0]["stable"] = True
+    stable = at("limit_cycles", 0, "stable", to=True)
 
     def with_two_outputs(data: Data) -> None:
         data["plant"]["C"].append(data["plant"]["C"][0])
@@ -259,10 +233,7 @@ def test_what_a_list_says_besides_is_refused(tmp_path: Path) -> None:
 def test_a_larger_range_is_another_theorem_that_is_false(tmp_path: Path) -> None:
     loop, cycles = balanced(*LOOPS["the thesis's"])
     lower = prove_limit_cycles(loop, cycles[:1], (100.0, 4000.0))
-
-    def wider(data: Data) -> None:
-        data["omega_range"] = [100.0, 5000.0]
-
+    wider = at("omega_range", to=[100.0, 5000.0])
     require_refused(tmp_path / "list.json", lower, wider, "the list lacks the solution at A = 0.000332")
 
 

@@ -1,7 +1,7 @@
 """What is read of a proven orbit: held against SciPy on the equations of the file; made false, refused."""
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -12,7 +12,7 @@ from scipy.integrate import simpson, solve_ivp
 
 from tests.quick import quick
 from tests.trimmer.proof.test_made_false import require_refused
-from tests.trimmer.proof.test_orbits import ORBITS, machine
+from tests.trimmer.proof.test_orbits import ORBITS, at, machine
 from trimmer import forced_orbit
 
 pytest.importorskip("flint")
@@ -119,10 +119,6 @@ def weighted(data: dict[str, Any]) -> None:
         row[0] *= 1 + 1e-12
 
 
-def before_another_event(data: dict[str, Any]) -> None:
-    data["functionals"][2]["before"] = []
-
-
 def before_no_event(data: dict[str, Any]) -> None:
     data["functionals"][2]["before"] = [len(data["orbit"]["motion"]["segments"]) - 1]
 
@@ -131,23 +127,17 @@ def less_a_mode(data: dict[str, Any]) -> None:
     data["functionals"][0]["rows"].append(data["functionals"][0]["rows"][0])
 
 
-def elsewhere(data: dict[str, Any]) -> None:
-    data["orbit"]["motion"]["state"][0] *= 1 + 1e-6
-
-
 @pytest.mark.parametrize(
     ("change", "reason"),
     [
         (weighted, "the file says another theorem"),
-        (before_another_event, "the file says another theorem"),
+        (at("functionals", 2, "before", to=[]), "the file says another theorem"),
         (before_no_event, "a functional is told before an event that is none"),
         (less_a_mode, "a functional does not fit the modes"),
-        (elsewhere, "the motion begins elsewhere: state 0"),
+        (at("orbit", "motion", "state", 0, by=1 + 1e-6), "the motion begins elsewhere: state 0"),
     ],
 )
-def test_readings_that_were_made_false_are_refused(
-    tmp_path: Path, change: Callable[[dict[str, Any]], None], reason: str
-) -> None:
+def test_readings_that_were_made_false_are_refused(tmp_path, change, reason) -> None:
     require_refused(tmp_path / "read.json", read("ball on a wall"), change, reason)
 
 

@@ -18,6 +18,7 @@ import scipy.optimize
 from tests.quick import quick
 from tests.trimmer.branches.bouncing_ball import ball, fold, thrown
 from tests.trimmer.branches.published import dead_zone, two_blocks
+from tests.trimmer.proof.test_orbits import at
 from trimmer import Body, ClosedLoop, FollowSettings, Force, Link, Mechanism, Play, Relay, SpecialKind, follow
 from trimmer.branches import FollowedBranch, SpecialPoint
 from trimmer.proof import Proof, check_proof, prove_special_point
@@ -78,68 +79,36 @@ this, so that the fold has it at t = 0; of multipliers with the product e^2 one 
 ``TURNED``.
 """
 TURNED = 2.0 * GRAVITY * (1 + REBOUND**2) / (1 + REBOUND) ** 2 / OMEGA**2
+TWICE = math.hypot(THROWN, TURNED)
+SPEEDS = 5.553 / TURN, 5.56 / TURN
 AMPLITUDE = "pins.table.amplitude"
 SPEED = "pins.belt.velocity"
-BRANCHES: dict[
-    str, tuple[Callable[[], Any], str, float, float, list[float] | None, str, Callable[[], float]]
-] = {
-    "doubling": (
-        lambda: MACHINE,
-        "frequency",
-        5.553 / TURN,
-        5.56 / TURN,
-        None,
-        "period-doubling",
-        lambda: DOUBLING / TURN,
-    ),
-    "ball": (
-        lambda: ball(1e4, 0.3, 0.45),
-        AMPLITUDE,
-        0.45,
-        0.3,
-        thrown(0.3, 0.45),
-        "fold",
-        lambda: fold(1e4),
-    ),
-    "wall": (lambda: wall(5e-4), AMPLITUDE, 5e-4, 4e-4, None, "fold", lambda: THROWN),
-    "wall, twice": (
-        lambda: wall(8e-4),
-        AMPLITUDE,
-        8e-4,
-        8.3e-4,
-        None,
-        "period-doubling",
-        lambda: math.hypot(THROWN, TURNED),
-    ),
+BRANCHES: dict[str, tuple[Callable[[], Any], str, tuple[float, float], str, Callable[[], float]]] = {
+    "doubling": (lambda: MACHINE, "frequency", SPEEDS, "period-doubling", lambda: DOUBLING / TURN),
+    "ball": (lambda: ball(1e4, 0.3, 0.45), AMPLITUDE, (0.45, 0.3), "fold", lambda: fold(1e4)),
+    "wall": (lambda: wall(5e-4), AMPLITUDE, (5e-4, 4e-4), "fold", lambda: THROWN),
+    "wall, twice": (lambda: wall(8e-4), AMPLITUDE, (8e-4, 8.3e-4), "period-doubling", lambda: TWICE),
     # Closed loop, of its own period.
     "relay": (
         lambda: ClosedLoop(PLANT, Relay(1.0, 0.0, 0.6)),
         "element.dead_zone",
-        0.6,
-        0.9,
-        None,
+        (0.6, 0.9),
         "fold",
         relay_that_rests,
     ),
     # Two computations: tests/trimmer/branches/test_joining.py.
-    "stops": (between_stops, "frequency", 0.193, 0.19, None, "symmetry-breaking", lambda: 0.191360833785),
+    "stops": (between_stops, "frequency", (0.193, 0.19), "symmetry-breaking", lambda: 0.191360833785),
     # By brute force: tests/trimmer/branches/test_follow_self_excited.py.
-    "blocks": (
-        lambda: two_blocks(0.7),
-        SPEED,
-        0.7,
-        0.69,
-        [0.549, 0.543, -0.954, -0.952, 6.44],
-        "period-doubling",
-        lambda: 0.697486236508,
-    ),
+    "blocks": (lambda: two_blocks(0.7), SPEED, (0.7, 0.69), "period-doubling", lambda: 0.697486236508),
 }
+STATES = {"ball": thrown(0.3, 0.45), "blocks": [0.549, 0.543, -0.954, -0.952, 6.44]}
+"""Where a branch begins, if not where its first motion settles."""
 
 
 @cache
 def found(name: str) -> tuple[FollowedBranch, SpecialPoint]:
-    make, place, start, stop, state, kind, _ = BRANCHES[name]
-    branch = follow(make(), place, start, stop, state=state, settings=ALONE)
+    make, place, ends, kind, _ = BRANCHES[name]
+    branch = follow(make(), place, *ends, state=STATES.get(name), settings=ALONE)
     return branch, next(each for each in branch.special if each.kind.word == kind)
 
 
@@ -151,9 +120,8 @@ def proven(name: str) -> Proof:
 def test_a_special_point_is_proven_where_it_is_otherwise_found(name: str, tmp_path: Path) -> None:
     proof = proven(name)
     assert (proof.verdict, proof.reason) == ("proven", "")
-    told = re.search(rf"a {BRANCHES[name][5]} within 1e-09, relative, of \S+ = (\S+)\.$", proof.theorem)
-    assert told is not None
-    assert float(told[1]) == pytest.approx(BRANCHES[name][6](), rel=2e-9)
+    told = re.search(rf"a {BRANCHES[name][3]} within 1e-09, relative, of \S+ = (\S+)\.$", proof.theorem)
+    assert float(told[1]) == pytest.approx(BRANCHES[name][4](), rel=2e-9)
     proof.write(tmp_path / "special.json")
     assert check_proof(tmp_path / "special.json") == proof
 
@@ -177,26 +145,16 @@ def test_one_that_was_moved_is_refuted(factor: float) -> None:
     assert proof.reason.startswith("the period-doubling nearest to it is at 0.88437926")
 
 
-def unlike(data: dict[str, Any]) -> None:
-    data["kind"] = "fold"
-
-
-def stiffer(data: dict[str, Any]) -> None:
-    data["beside"][0]["equations"]["modes"][0]["flow"][1][0] *= 1 + 1e-4
-
-
-def steeper(data: dict[str, Any]) -> None:
-    data["beside"][0]["equations"]["resets"][0][-1][0] = 1.0
-
-
-def elsewhere(data: dict[str, Any]) -> None:
-    data["value"] *= 1 + 1e-5
-
-
-@pytest.mark.parametrize("change", [unlike, stiffer, steeper, elsewhere])
-def test_a_file_that_was_made_false_is_refused(
-    change: Callable[[dict[str, Any]], None], tmp_path: Path
-) -> None:
+@pytest.mark.parametrize(
+    "change",
+    [
+        at("kind", to="fold"),
+        at("beside", 0, "equations", "modes", 0, "flow", 1, 0, by=1 + 1e-4),
+        at("beside", 0, "equations", "resets", 0, -1, 0, to=1.0),
+        at("value", by=1 + 1e-5),
+    ],
+)
+def test_a_file_that_was_made_false_is_refused(change: Callable[[dict[str, Any]], None], tmp_path) -> None:
     proof = proven("doubling")
     data = json.loads(json.dumps(proof.data))
     change(data)

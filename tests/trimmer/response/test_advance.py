@@ -8,6 +8,7 @@ import pytest
 
 from tests.mechanisms.brute_force import BruteForce
 from tests.mechanisms.dynamics import System
+from tests.trimmer.response.mechanisms import body
 from trimmer import FollowSettings, Mechanism, MotionKind, follow, forced_orbit, respond
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play
 from trimmer.response import MechanismOrbit
@@ -132,12 +133,10 @@ def test_what_is_pulled_over_the_floor_sticks_and_slips_as_on_a_belt() -> None:
 
 def test_a_constant_force_against_a_damper_advances_by_its_closed_form() -> None:
     mass, damping, force, frequency = 1.5, 4.0, 3.0, 2.0
-    mechanism = Mechanism(
-        {"body": Body(mass)},
-        frequency=frequency,
-        links={"oil": Link(("ground", "body"), 0.0, damping)},
-        forces={"push": Force("body", constant=force, amplitude=2.0, order=3)},
-        outputs={"body": Output({"body": -2.0})},
+    oil = {"oil": Link(("ground", "body"), 0.0, damping)}
+    push = {"push": Force("body", constant=force, amplitude=2.0, order=3)}
+    mechanism = body(
+        mass, frequency=frequency, links=oil, forces=push, outputs={"body": Output({"body": -2.0})}
     )
     orbit = settled(mechanism)
     assert advances(orbit)["body"] == pytest.approx(-2 * force / damping / frequency, rel=1e-12)

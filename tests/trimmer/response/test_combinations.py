@@ -21,13 +21,10 @@ def test_lines_of_a_sampled_product_get_the_multiples_that_made_it() -> None:
     first, second = 2 * np.pi * DRIVE * times, 2 * np.pi * OWN * times
     made = {(1, 0): 1.0, (0, 1): 0.4, (1, 1): 0.2, (2, -1): 0.1, (3, -2): 0.05, (-1, 2): 0.03}
     series = sum(size * np.cos(i * first + j * second) for (i, j), size in made.items())
-    lines = [
-        (each.frequency, each.amplitude) for each in peaks(amplitude_spectrum(series, 8192 / SECONDS), 6)
-    ]
+    lines = [(p.frequency, p.amplitude) for p in peaks(amplitude_spectrum(series, 8192 / SECONDS), 6)]
     own, names = sums_of(lines, DRIVE, 1 / SECONDS)
     assert own == pytest.approx(OWN, rel=1e-4)
     for (frequency, size), name in zip(lines, names, strict=True):
-        assert name is not None
         assert frequency == pytest.approx(name[0] * DRIVE + name[1] * OWN, abs=0.02)
         assert size == pytest.approx(made[name], rel=0.05)
     assert set(names) == set(made)

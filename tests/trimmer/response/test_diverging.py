@@ -6,26 +6,18 @@ import numpy as np
 import pytest
 
 from tests.mechanisms.random_mechanisms import random_mechanism
+from tests.trimmer.response.mechanisms import body
 from trimmer import Mechanism, MotionKind, OrbitNotFoundError, forced_orbit, motion_map, respond
-from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play
+from trimmer.mechanism import Force, Friction, Link, Output, Pin, Play
 from trimmer.response.growth import grew
 from trimmer.response.response_json import response_json
-
-OUTPUTS = {"body": Output({"body": 1.0})}
 
 
 def resonant(rubs: float = 0.0, frequency: float = 1.0, **parts: object) -> Mechanism:
     """An undamped oscillator of 1 Hz, pushed by 3 N in each period."""
-    frictions = {"floor": Friction(("ground", "body"), rubs)} if rubs else {}
-    return Mechanism(
-        {"body": Body(1.0)},
-        frequency=frequency,
-        links={"spring": Link(("ground", "body"), (2 * math.pi) ** 2)},
-        forces={"push": Force("body", amplitude=3.0)},
-        frictions=frictions,
-        outputs=OUTPUTS,
-        **parts,
-    )
+    parts |= {"frictions": {"floor": Friction(("ground", "body"), rubs)}} if rubs else {}
+    links = {"spring": Link(("ground", "body"), (2 * math.pi) ** 2)}
+    return body(frequency=frequency, links=links, forces={"push": Force("body", amplitude=3.0)}, **parts)
 
 
 def test_what_was_lost_in_rounding_does_not_grow() -> None:
@@ -47,9 +39,7 @@ def test_an_undamped_resonance_diverges_and_beside_it_nothing_does() -> None:
 
 
 @pytest.mark.parametrize(("rubs", "grows"), [(0.95, True), (1.05, False)])
-def test_dry_friction_holds_a_resonance_from_a_quarter_of_pi_of_the_force_on(
-    rubs: float, grows: bool
-) -> None:
+def test_dry_friction_holds_a_resonance_from_a_quarter_of_pi_of_the_force_on(rubs, grows) -> None:
     """The work of the push in a period is pi P x, that of friction 4 F x (Den Hartog 1931)."""
     response = respond(resonant(rubs * 3.0 * math.pi / 4))
     assert (response.kind is MotionKind.DIVERGING) is grows
@@ -58,12 +48,7 @@ def test_dry_friction_holds_a_resonance_from_a_quarter_of_pi_of_the_force_on(
 
 @pytest.mark.parametrize("frequency", [2.0, None])
 def test_a_constant_force_that_nothing_holds_or_damps_diverges(frequency: float | None) -> None:
-    pushed = Mechanism(
-        {"body": Body(1.0)},
-        frequency=frequency,
-        forces={"push": Force("body", constant=3.0)},
-        outputs=OUTPUTS,
-    )
+    pushed = body(frequency=frequency, forces={"push": Force("body", constant=3.0)})
     response = respond(pushed)
     assert (response.kind, response.motion.orbit) == (MotionKind.DIVERGING, None)
     if frequency is None:
@@ -73,14 +58,11 @@ def test_a_constant_force_that_nothing_holds_or_damps_diverges(frequency: float 
 
 def test_a_constant_force_beyond_friction_diverges_and_below_it_rests() -> None:
     def pushed(force: float) -> Mechanism:
-        return Mechanism(
-            {"body": Body(1.0)},
-            frequency=2.0,
-            forces={"push": Force("body", constant=force)},
-            frictions={"floor": Friction(("ground", "body"), 1.0)},
-            outputs=OUTPUTS,
-            start={"body": (0.3, 0.7)},
+        forces, frictions = (
+            {"push": Force("body", constant=force)},
+            {"floor": Friction(("ground", "body"), 1.0)},
         )
+        return body(frequency=2.0, forces=forces, frictions=frictions, start={"body": (0.3, 0.7)})
 
     response = respond(pushed(1.2))
     assert response.kind is MotionKind.DIVERGING
@@ -92,9 +74,7 @@ def test_a_constant_force_beyond_friction_diverges_and_below_it_rests() -> None:
 
 
 def test_a_free_body_that_a_wave_pushes_goes_on_and_does_not_diverge() -> None:
-    free = Mechanism(
-        {"body": Body(2.0)}, frequency=5.0, forces={"push": Force("body", amplitude=3.0)}, outputs=OUTPUTS
-    )
+    free = body(2.0, frequency=5.0, forces={"push": Force("body", amplitude=3.0)})
     content = response_json(respond(free))
     omega = 2 * math.pi * 5.0
     assert content["kind"] == "periodic"
@@ -105,12 +85,8 @@ def test_a_free_body_that_a_wave_pushes_goes_on_and_does_not_diverge() -> None:
 
 def test_what_moves_on_evenly_without_a_drive_repeats_after_any_time() -> None:
     def dragged(damping: float) -> Mechanism:
-        return Mechanism(
-            {"body": Body(1.0)},
-            links={"oil": Link(("ground", "body"), 0.0, damping)},
-            forces={"push": Force("body", constant=3.0)},
-            outputs=OUTPUTS,
-        )
+        oil = {"oil": Link(("ground", "body"), 0.0, damping)}
+        return body(links=oil, forces={"push": Force("body", constant=3.0)})
 
     response = respond(dragged(4.0))
     content = response_json(response)
@@ -118,8 +94,7 @@ def test_what_moves_on_evenly_without_a_drive_repeats_after_any_time() -> None:
     assert content["outputs"]["body"]["advance"] / content["period"] == pytest.approx(0.75, rel=1e-12)
     assert response.motion.orbit.stable
     assert "any time is a period" in content["message"]
-    pulled = Mechanism(
-        {"body": Body(1.0)},
+    pulled = body(
         pins={"winch": Pin("ground", velocity=0.2)},
         links={"rope": Link(("winch", "body"), 40.0, 2.0)},
         frictions={"floor": Friction(("ground", "body"), 0.5)},
@@ -148,20 +123,12 @@ def test_what_friction_holds_rests_whatever_drives_it() -> None:
     assert (motion.kind, motion.peak_to_peak) == (MotionKind.REST, {"asked for": 0.0})
 
     def held(**drive: object) -> Mechanism:
-        frictions = {"floor": Friction(("ground", "body"), 1.0)}
-        return Mechanism(
-            {"body": Body(0.7)},
-            frequency=3.0,
-            frictions=frictions,
-            outputs=OUTPUTS,
-            start={"body": (0.01, 0.0)},
-            **drive,
-        )
+        floor = {"floor": Friction(("ground", "body"), 1.0)}
+        return body(0.7, frequency=3.0, frictions=floor, start={"body": (0.01, 0.0)}, **drive)
 
     spring = {"spring": Link(("pin", "body"), 1234.5, 0.6)}
-    pulled = respond(
-        held(links=spring, pins={"pin": Pin("ground", amplitude=2e-4, phase=0.3, offset=0.01)})
-    ).motion
+    pin = Pin("ground", amplitude=2e-4, phase=0.3, offset=0.01)
+    pulled = respond(held(links=spring, pins={"pin": pin})).motion
     pushed = respond(held(forces={"push": Force("body", amplitude=0.25)})).motion
     assert pulled.kind is pushed.kind is MotionKind.REST
     assert pulled.rest.positions == pushed.rest.positions == {"body": 0.01}

@@ -49,11 +49,7 @@ def machines(count: int, frequency: float | None, parts: dict[str, Part]) -> Mec
         ),
         pytest.param(
             0.1,
-            {
-                "links": spring,
-                "forces": push,
-                "frictions": lambda body: Friction(("ground", body), force=0.4),
-            },
+            {"links": spring, "forces": push, "frictions": lambda body: Friction(("ground", body), 0.4)},
             id="oscillators with friction",
         ),
         pytest.param(
@@ -68,9 +64,7 @@ def machines(count: int, frequency: float | None, parts: dict[str, Part]) -> Mec
         ),
     ],
 )
-def test_equal_machines_have_the_multipliers_of_one_twice(
-    frequency: float | None, parts: dict[str, Part]
-) -> None:
+def test_equal_machines_have_the_multipliers_of_one_twice(frequency, parts) -> None:
     one, two = (respond(machines(count, frequency, parts)).motion.orbit for count in (1, 2))
     assert one is not None and two is not None
     expected = np.sort(np.repeat(abs(one.multipliers), 2))
@@ -86,7 +80,6 @@ def test_equal_machines_have_the_multipliers_of_one_twice(
 def test_frictions_of_bodies_that_hold_each_other_come_to_rest_together() -> None:
     """A body comes to rest beside one that is held and beside the ground: one event, also of a neighbour."""
     orbit = respond(random_mechanism(1118)).motion.orbit
-    assert orbit is not None
     begin, columns = orbit.instant.state, []
     for size, direction in zip(orbit.sizes, np.eye(len(orbit.sizes)), strict=True):
         ends = [

@@ -1,4 +1,4 @@
-"""Forces of dry frictions that hold the same bodies: within their limits, and determined by a stated rule."""
+"""Dry frictions that hold the same bodies: their forces, breaking away together, slips that die away."""
 
 import json
 from dataclasses import replace
@@ -8,8 +8,11 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
+from tests.mechanisms.comparison import trusted
+from tests.mechanisms.random_mechanisms import random_mechanism
+from tests.mechanisms.shifted_phases import shifted, state_at
 from tests.quick import quick
-from trimmer import Mechanism, Output, respond, simulate
+from trimmer import Body, Force, Friction, Mechanism, Output, respond, simulate
 from trimmer.command_line.main import main
 
 PUSHED = """
@@ -58,7 +61,6 @@ def test_as_outputs_they_stay_within_their_limits() -> None:
     weak, strong = (Output(kind="force", part=name) for name in ("weak", "strong"))
     mechanism = replace(pushed({"weak": 0.1, "strong": 2.0}, 2.05), outputs={"weak": weak, "strong": strong})
     found = respond(mechanism).motion.rest
-    assert found is not None
     # Without limits the strong one would bear 2.05 times 4 / 4.01.
     assert found.measures.outputs["strong"].peak_to_peak == pytest.approx(4.0, rel=1e-12)
     assert found.measures.outputs["weak"].peak_to_peak == pytest.approx(0.1, rel=1e-9)
@@ -140,3 +142,49 @@ def test_a_pin_s_work_names_the_share_it_rests_on(capsys: pytest.CaptureFixture[
     assert json.loads(capsys.readouterr().out)["undetermined_frictions"] == ["weak", "strong"]
     assert main(["simulate", str(file), "--duration", "1"]) == 0
     assert "weak and strong stick" in capsys.readouterr().out
+
+
+ON_TOP = {"floor": Friction(("ground", "lower"), 0.8, 0.9), "between": Friction(("lower", "upper"), 0.5, 1.0)}
+
+
+def test_a_block_breaks_away_from_one_that_stays() -> None:
+    """At their static forces both would go."""
+    machine = Mechanism(
+        {"lower": Body(1.0), "upper": Body(1.0)},
+        frictions=ON_TOP,
+        forces={"push": Force("upper", constant=4.0)},
+    )
+    motion = simulate(machine, 2.0)
+    assert motion.success
+    # But the floor holds 0.5 N, and the upper block has 3.5 of 4 N left.
+    places = [motion.displacement(name, np.array([2.0]))[0] for name in ("lower", "upper")]
+    assert places == pytest.approx([0.0, 7.0], abs=1e-13)
+
+
+@pytest.mark.slow
+def test_from_rest_the_motion_is_that_by_brute_force() -> None:
+    machine = random_mechanism(5030)
+    duration = 3 / machine.frequency
+    motion, reference = simulate(machine, duration), trusted(machine, duration)
+    assert motion.success
+    assert reference.horizon > 0.99 * duration
+    assert [(each.part, each.kind.value) for each in motion.events] == [
+        (each.part, each.kind.value) for each in reference.motion.events
+    ]
+    times = np.linspace(0.0, reference.horizon, 50)
+    ours = np.transpose([motion.displacement(name, times) for name in machine.bodies])
+    assert np.allclose(ours, reference.motion.states(times)[:, :2], rtol=0.0, atol=1e-7 * abs(ours).max())
+
+
+@pytest.mark.parametrize(("seed", "share"), quick([(1069, 0.22), (1125, 0.72)]))
+def test_where_slips_die_away_the_motion_is_neutral_whenever_the_clock_begins(seed, share) -> None:
+    """On the way their multiplier is below 1, and the return is closed to rounding."""
+    machine = random_mechanism(seed)
+    others = respond(shifted(machine, share), state=state_at(machine, share), most_periods=300).motion
+    motion = respond(machine, most_periods=300).motion
+    for each in (motion, others):
+        assert (each.orbit.success, each.orbit.stable, each.orbit.neutral) == (True, False, True)
+        assert abs(each.orbit.multipliers[0]) == pytest.approx(1.0, abs=1e-7)
+        # The brief slips are gone: one friction slides and sticks once a period or not at all.
+        assert each.orbit.events_per_period == motion.orbit.events_per_period
+    assert np.allclose(*(abs(each.orbit.multipliers[1:]) for each in (motion, others)), atol=1e-6)

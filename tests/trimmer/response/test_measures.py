@@ -1,6 +1,7 @@
 """Measures of an orbit with one of each part against dense samples; energies against another integrator."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ from tests.mechanisms.brute_force import BruteForce
 from tests.mechanisms.energy import energy
 from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.quick import quick
+from tests.trimmer.response.mechanisms import body as one_body
 from trimmer import ContactLaw, Mechanism, MechanismMotion, forced_orbit, respond, simulate
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Stop
 from trimmer.response import MechanismOrbit
@@ -45,7 +47,6 @@ MACHINE = Mechanism(
 def orbit() -> MechanismOrbit:
     """It repeats after two drive periods, with play, a stop and stick in them."""
     found = respond(MACHINE).motion.orbit
-    assert found is not None
     assert found.period_count == PERIODS
     return found
 
@@ -98,10 +99,8 @@ def test_each_part_does_the_work_that_its_force_does(motion, times) -> None:
 def test_energies_are_those_of_another_integrator(seed: int) -> None:
     mechanism = random_mechanism(seed)
     duration = 1.7 / mechanism.frequency
-    found, expected = (
-        simulate(mechanism, duration).energy,
-        energy(BruteForce().from_rest(mechanism, duration)),
-    )
+    found = simulate(mechanism, duration).energy
+    expected = energy(BruteForce().from_rest(mechanism, duration))
     size = 1e-8 * (abs(expected.supplied) + abs(expected.change))
     assert found.work == pytest.approx(expected.supplied, abs=size)
     (change,) = np.diff(found.kinetic) + np.diff(found.stored)
@@ -177,34 +176,16 @@ def test_frictions_lose_and_stick_as_samples_do(orbit, motion, times) -> None:
     assert orbit.events_per_period == len(motion.events) / PERIODS
 
 
-def test_json_holds_all_that_is_known_of_an_orbit(orbit) -> None:
+def test_json_and_table_hold_what_no_key_of_a_measure_names(orbit) -> None:
     response = respond(MACHINE)
     content, measures = response_json(response), response.motion.orbit.measures
     assert content["multipliers"] == [[each.real, each.imag] for each in response.motion.orbit.multipliers]
     assert (content["period"], content["events_per_period"]) == (orbit.period, orbit.events_per_period)
     for name, each in measures.outputs.items():
-        assert content["outputs"][name] == {
-            "advance": 0.0,
-            "mean": each.mean,
-            "peak_to_peak": each.peak_to_peak,
-            "rms": each.rms,
-            "rms_interval": [each.rms, each.rms],
-            "harmonics": list(each.harmonics),
-            "subharmonics": list(each.subharmonics),
-            "lines": [list(line) for line in each.lines],
-        }
-    assert content["contacts"]["slot"] == {
-        "impacts_per_period": measures.contacts["slot"].impacts,
-        "impact_speeds": list(measures.contacts["slot"].impact_speeds),
-        "impact_speed": measures.contacts["slot"].impact_speed,
-        "largest_force": measures.contacts["slot"].largest_force,
-        "share_of_time": measures.contacts["slot"].share,
-    }
-    assert content["frictions"]["face"] == {
-        "work_per_period": measures.frictions["face"].work,
-        "power": measures.frictions["face"].power,
-        "share_of_stick": measures.frictions["face"].stick,
-    }
+        told = content["outputs"][name]
+        assert (told["rms_interval"], told["subharmonics"]) == ([each.rms] * 2, list(each.subharmonics))
+    slot = measures.contacts["slot"]
+    assert content["contacts"]["slot"]["impact_speeds"] == list(slot.impact_speeds)
     sled = measures.rms_acceleration["sled"]
     assert content["bodies"]["sled"] == {"rms_acceleration": sled, "rms_acceleration_interval": [sled, sled]}
     largest = abs(orbit.multipliers).max()
@@ -219,32 +200,25 @@ def test_json_holds_all_that_is_known_of_an_orbit(orbit) -> None:
 def test_extremes_between_events_are_exact() -> None:
     """A steady wave of two harmonics turns where its slope says, four times a period."""
     forces = {"one": Force("body", amplitude=1.0), "three": Force("body", amplitude=9.0, order=3)}
-    outputs = {"x": Output({"body": 1.0})}
-    mechanism = Mechanism({"body": Body(1.0)}, 1.0, links={"s": Link(("ground", "body"), 4.0, 3.0)},
-                          forces=forces, outputs=outputs)  # fmt: skip
+    mechanism = one_body(frequency=1.0, links={"s": Link(("ground", "body"), 4.0, 3.0)}, forces=forces)
     orders, omega = np.array([1, 3]), 2 * math.pi
     sizes = np.array([1.0, 9.0]) / (4 - (orders * omega) ** 2 + 3j * orders * omega)
     angles = np.linspace(0, 2 * math.pi, 2_000_001)
     wave = (sizes[:, None] * np.exp(1j * orders[:, None] * angles)).sum(axis=0).imag
-    found = forced_orbit(mechanism).measures.outputs["x"]
+    found = forced_orbit(mechanism).measures.outputs["body"]
     assert (found.smallest, found.largest) == pytest.approx((wave.min(), wave.max()), rel=1e-10)
     assert found.rms == pytest.approx(np.sqrt((abs(sizes) ** 2).sum() / 2), rel=1e-10)
 
 
 def test_without_outputs_there_are_no_measures_of_them() -> None:
-    mechanism = Mechanism(
-        {"body": Body(1.0)},
-        frequency=1.0,
-        links={"spring": Link(("ground", "body"), 4.0, 1.0)},
-        forces={"push": Force("body", amplitude=1.0)},
-    )
+    mechanism = replace(MACHINE, outputs={})
     assert forced_orbit(mechanism).measures.outputs == {}
     assert response_json(respond(mechanism))["outputs"] == {}
 
 
 def test_constant_forces_and_pins_that_rub_do_work() -> None:
-    mechanism = Mechanism(
-        {"body": Body(2.0)},
+    mechanism = one_body(
+        2.0,
         frequency=3.0,
         pins={"belt": Pin("ground", amplitude=0.05)},
         links={"spring": Link(("ground", "body"), 400.0, 1.0)},

@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.trimmer.response.mechanisms import example, twin
+from tests.trimmer.response.mechanisms import body, example, twin
 from trimmer import MechanismError, OrbitNotFoundError, UnsupportedMotionError, forced_orbit, simulate
-from trimmer.mechanism import Body, ContactLaw, Force, Link, Mechanism, Output, Pin, Play, linear_matrices
+from trimmer.mechanism import ContactLaw, Force, Link, Mechanism, Pin, Play, linear_matrices
 
 LAWS = {ContactLaw.RELAXING: 2.933334121400e-3, ContactLaw.TRUNCATED: 2.933334121515e-3}
 """Peak to peak of the stroke, m: definition of the mechanism, computed twice by different means."""
@@ -130,15 +130,11 @@ def test_an_orbit_asked_for_again_is_that_of_a_machine_that_nothing_is_known_of(
 
 
 def test_what_cannot_repeat_is_named() -> None:
-    pulled = Mechanism(
-        {"body": Body(1.0)},
-        pins={"winch": Pin("ground", velocity=1.0)},
-        links={"rope": Link(("winch", "body"), 1.0), "post": Link(("ground", "body"), 1.0)},
-    )
+    links = {"rope": Link(("winch", "body"), 1.0), "post": Link(("ground", "body"), 1.0)}
+    pulled = body(pins={"winch": Pin("ground", velocity=1.0)}, links=links)
     with pytest.raises(UnsupportedMotionError, match="goes on for ever"):
         forced_orbit(pulled)
-    damped = Mechanism({"body": Body(1.0)}, links={"spring": Link(("ground", "body"), 1.0, 0.1)},
-                       start={"body": (1.0, 0.0)})  # fmt: skip
+    damped = body(links={"spring": Link(("ground", "body"), 1.0, 0.1)}, start={"body": (1.0, 0.0)})
     with pytest.raises(OrbitNotFoundError, match="comes to rest"):
         forced_orbit(damped)
 
@@ -149,23 +145,17 @@ def test_a_guess_that_does_not_fit_is_named() -> None:
 
 
 def test_harmonics_of_a_slow_wave_are_exact_at_any_order() -> None:
-    mechanism = Mechanism(
-        {"body": Body(1.0)}, frequency=1e-3, links={"spring": Link(("ground", "body"), 1.0, 0.5)},
-        forces={"push": Force("body", amplitude=1.0, order=20)}, outputs={"out": Output({"body": 1.0})},
-    )  # fmt: skip
-    amplitudes = forced_orbit(mechanism).measures.outputs["out"].harmonics
+    push = {"push": Force("body", amplitude=1.0, order=20)}
+    mechanism = body(frequency=1e-3, links={"spring": Link(("ground", "body"), 1.0, 0.5)}, forces=push)
+    amplitudes = forced_orbit(mechanism).measures.outputs["body"].harmonics
     omega = 20 * 2 * np.pi * 1e-3
     assert amplitudes[19] == pytest.approx(1 / abs(1 - omega**2 + 0.5j * omega), rel=1e-10)
     assert amplitudes[:19].max() < 1e-11
 
 
 def test_a_relaxing_spring_a_hair_beyond_its_slot_does_not_chatter() -> None:
-    mechanism = Mechanism(
-        {"body": Body(1.0)},
-        frequency=1.0,
-        plays={"slot": Play(("ground", "body"), 1e4, 100.0, 0.2)},
-        forces={"push": Force("body", constant=500.0)},
-    )
+    slot = {"slot": Play(("ground", "body"), 1e4, 100.0, 0.2)}
+    mechanism = body(frequency=1.0, plays=slot, forces={"push": Force("body", constant=500.0)})
     # The spring is stretched, and the body moves back faster than it relaxes, but is pushed towards contact.
     motion = simulate(mechanism, 1.0, state=[0.12 + 1e-10, -5.0, 0.02])
     assert motion.success

@@ -72,7 +72,6 @@ def test_a_relay_closes_after_it_bounced() -> None:
     assert closing.impact_speed == met[0].speed
     assert (closing.closed, early.closings["seat"].closed) == (True, False)
     assert closing.force == pytest.approx(0.4 + 100.0 * place, rel=1e-9)
-    assert motion.rest is not None
     assert motion.rest.positions["relay"] == pytest.approx(place)
     assert (early.rest, early.closings["seat"].force) == (None, 0.0)
 

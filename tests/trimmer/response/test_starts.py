@@ -38,9 +38,7 @@ def test_a_start_is_the_mechanism_s_or_named_bodies_or_all_states(state: object,
     assert motion.flow.names == ("one", "two", "one'", "two'")
 
 
-@pytest.mark.parametrize(
-    "door", [lambda s: simulate(DRIVEN, 0.1, state=s), lambda s: respond(DRIVEN, state=s)]
-)
+@pytest.mark.parametrize("door", [lambda s: simulate(DRIVEN, 1, state=s), lambda s: respond(DRIVEN, state=s)])
 @pytest.mark.parametrize(
     ("state", "error", "named"),
     [
