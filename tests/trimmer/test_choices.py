@@ -50,9 +50,7 @@ USES: list[tuple[type[Choice], Callable[[Any, Path], Any]]] = [
 
 
 @pytest.mark.parametrize(("kind", "use"), USES)
-def test_a_word_is_as_good_as_its_member(
-    kind: type[Choice], use: Callable[[Any, Path], Any], tmp_path: Path
-) -> None:
+def test_a_word_is_as_good_as_its_member(kind, use, tmp_path) -> None:
     results = []
     for number, member in enumerate(kind):
         (tmp_path / str(number)).mkdir()
@@ -65,9 +63,7 @@ def test_a_word_is_as_good_as_its_member(
 
 @pytest.mark.parametrize(("kind", "use"), USES)
 @pytest.mark.parametrize("value", ["nonsense", "", 7, 0.5, True, b"hann", Path("hann"), ("hann",), Enum])
-def test_anything_else_is_refused_with_the_words(
-    kind: type[Choice], use: Callable[[Any, Path], Any], value: object, tmp_path: Path
-) -> None:
+def test_anything_else_is_refused_with_the_words(kind, use, value, tmp_path) -> None:
     with pytest.raises(ChoiceError) as raised:
         use(value, tmp_path)
     for member in kind:

@@ -53,9 +53,7 @@ def hold_against_differences(of: TrimmerLoop) -> None:
         pytest.param(3.0, 2.0, id="both stick and slip"),
     ],
 )
-def test_two_frictions_that_switch_at_once_have_the_multipliers_of_differences(
-    omega: float, limit: float
-) -> None:
+def test_two_frictions_that_switch_at_once_have_the_multipliers_of_differences(omega, limit) -> None:
     hold_against_differences(loop(omega, q1=limit, q2=limit))
 
 
@@ -101,16 +99,13 @@ PARTS: dict[str, dict[str, Callable[[str], object]]] = {
 
 @pytest.mark.parametrize("place", ['bodies."first".mass', 'forces."of first".amplitude'])
 @pytest.mark.parametrize("parts", PARTS.values(), ids=PARTS)
-def test_a_number_of_one_machine_moves_none_that_is_beside_it_in_step(
-    parts: dict[str, Callable[[str], object]], place: str
-) -> None:
+def test_a_number_of_one_machine_moves_none_that_is_beside_it_in_step(parts, place) -> None:
     """All events of the two come in pairs; what changes in the first is no concern of the second."""
     bodies = ("first", "second")
     every = {"links": spring, "forces": lambda body: Force(body, amplitude=1.0), **parts}
     made = {section: {f"of {body}": part(body) for body in bodies} for section, part in every.items()}
     machine = Mechanism({body: Body(1.0) for body in bodies}, frequency=0.1, **made)
     orbit = respond(machine).motion.orbit
-    assert orbit is not None
     value = machine.value(place)
     rate = DrivenMap(machine, place, value, orbit.periods).passage(value, orbit.strobed[0]).rate()
     assert abs(rate[0::2]).max() > 0.1

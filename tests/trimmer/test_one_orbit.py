@@ -2,7 +2,6 @@
 
 import json
 from dataclasses import replace
-from pathlib import Path
 
 import control
 import numpy as np
@@ -26,15 +25,11 @@ def test_all_that_count_motions_count_the_same() -> None:
     machine = impact_oscillator(OMEGA)
     settled = respond(machine, starts=12).motions
     reached = basin(machine, STARTS, most_periods=300, runner=SerialRunner(), quiet=True)
-    cell = motion_map(
-        machine, {"frequency": [machine.frequency]}, starts=12, runner=SerialRunner(), quiet=True
-    )
+    cell = motion_map(machine, {"frequency": [machine.frequency]}, starts=12, runner=SerialRunner())
     assert len(settled) == len(reached.motions) == cell.motion_count[0, 0] == 2
 
 
-@pytest.mark.parametrize(
-    "outputs", quick([{"x": Output({"mass": 1.0})}, {}], 1), ids=["an output", "no output"]
-)
+@pytest.mark.parametrize("outputs", quick([{"x": Output({"mass": 1.0})}, {}], 1))
 def test_a_design_finds_the_other_motion_whatever_is_measured(outputs: dict[str, Output]) -> None:
     """Without outputs all orbits of one period had the same measures, and were taken for one."""
     machine = replace(impact_oscillator(OMEGA), outputs=outputs)
@@ -72,9 +67,7 @@ def rattling() -> Mechanism:
 WAITED = "over 60 drive periods"
 
 
-def test_samples_say_how_long_chaos_was_waited_for(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_samples_say_how_long_chaos_was_waited_for(tmp_path, capsys) -> None:
     path = tmp_path / "rattling.toml"
     scatter = '[uncertainty]\n"bodies.body.mass" = { normal = "1e-6 kg" }\n'
     path.write_text(f"{rattling().to_toml()}\n{scatter}")

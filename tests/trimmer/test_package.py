@@ -13,10 +13,8 @@ HEAVY = ("control", "matplotlib", "numpy", "scipy", "shtab", "sympy", "tqdm")
 
 def modules_after(statement: str, folder: Path) -> set[str]:
     code = f"{statement}\nimport sys\nprint(*sys.modules, file=sys.stderr)"
-    done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=folder
-    )
-    return set(done.stderr.split())
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=folder)
+    return set(run.stderr.split())
 
 
 @pytest.mark.parametrize(
@@ -29,9 +27,7 @@ def modules_after(statement: str, folder: Path) -> set[str]:
         "    try: main(words)\n    except SystemExit: pass",
     ],
 )
-def test_heavy_libraries_are_not_imported_before_they_are_needed(
-    statement: str, project_folder: Path
-) -> None:
+def test_heavy_libraries_are_not_imported_before_they_are_needed(statement: str, project_folder) -> None:
     loaded = modules_after(statement, project_folder)
     assert "trimmer" in loaded
     assert loaded.isdisjoint(HEAVY)
@@ -62,15 +58,14 @@ def test_the_package_can_be_run_as_the_command(project_folder: Path) -> None:
         assert (ended.stdout or ended.stderr).split()[0].rstrip(":") == "trimmer"
 
 
-def test_star_import_gives_the_public_names() -> None:
+def test_few_names_stand_at_the_top_and_star_import_gives_them() -> None:
+    assert set(trimmer.__all__) - {"__version__"} <= set(dir(trimmer))
+    assert len(trimmer.__all__) <= 80
     names: dict[str, object] = {}
     exec("from trimmer import *", names)
     assert set(trimmer.__all__) <= set(names)
-
-
-def test_few_names_stand_at_the_top() -> None:
-    assert set(trimmer.__all__) - {"__version__"} <= set(dir(trimmer))
-    assert len(trimmer.__all__) <= 80
+    with pytest.raises(AttributeError, match="linaer_model"):
+        trimmer.linaer_model  # noqa: B018
 
 
 def test_a_name_that_stands_in_a_room_is_answered_with_its_place() -> None:
@@ -85,23 +80,10 @@ def test_a_former_name_is_answered_with_the_one_that_took_its_place() -> None:
             assert place.sample_loop is trimmer.uncertainty.sample_limit_cycles
 
 
-def test_bodies_at_the_top_are_those_of_a_mechanism() -> None:
-    held = {"spring": trimmer.Link(("ground", "one"), stiffness=1.0)}
-    assert trimmer.Mechanism({"one": trimmer.Body(1.0)}, links=held).bodies["one"].mass == 1.0
-    assert trimmer.thesis.TrimmerBody.CUTTER.coordinate == "q2"
-
-
-def test_an_unknown_name_is_an_error() -> None:
-    with pytest.raises(AttributeError, match="linaer_model"):
-        trimmer.linaer_model  # noqa: B018
-
-
 def test_the_version_is_that_of_the_installed_distribution(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(metadata, "version", {"trimmer": "1.2.3"}.__getitem__)
     assert trimmer.__version__ == "1.2.3"
 
-
-def test_without_an_installed_distribution_the_version_is_unknown(monkeypatch: pytest.MonkeyPatch) -> None:
     def not_found(name: str) -> str:
         raise metadata.PackageNotFoundError(name)
 

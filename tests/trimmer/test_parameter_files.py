@@ -1,8 +1,16 @@
+"""Parameters of the thesis's trimmer, and files of them: what is wrong is told with its key."""
+
+import dataclasses
 import re
+import tomllib
 from pathlib import Path
 
+import numpy as np
 import pytest
+from hypothesis import given
 
+from derivations.symbols import PARAMETERS
+from tests.trimmer.trimmers import DAMPINGS, MASSES, STIFFNESSES, trimmers
 from trimmer import TrimmerParameters
 from trimmer.thesis import ParameterError, parameter_table
 
@@ -27,10 +35,6 @@ def message_for(path: Path) -> str:
         TrimmerParameters.from_toml(path)
     assert str(raised.value).startswith(f"{path}: ")
     return str(raised.value)
-
-
-def test_the_template_reads_back_equal(tmp_path: Path) -> None:
-    assert TrimmerParameters.from_toml(written(tmp_path, TEMPLATE)) == TrimmerParameters.thesis()
 
 
 def test_the_template_states_meaning_and_unit_of_each_key() -> None:
@@ -59,19 +63,11 @@ def test_the_template_states_meaning_and_unit_of_each_key() -> None:
         ("m2 = 0x1" + "0" * 9000, "m2 = an integer of thousands of digits", "too large"),
     ],
 )
-def test_an_unusable_value_is_named_with_its_key_and_reason(
-    tmp_path: Path, line: str, shown: str, reason: str
-) -> None:
+def test_an_unusable_value_is_named_with_its_key_and_reason(tmp_path, line, shown, reason) -> None:
     message = message_for(written(tmp_path, with_line("m2", line)))
     assert shown in message
     assert reason in message
     assert len(message.splitlines()[1]) < 160
-
-
-@pytest.mark.parametrize(("key", "quantity"), [("k3", "stiffness"), ("c4", "damping")])
-def test_negative_stiffness_and_damping_are_refused(tmp_path: Path, key: str, quantity: str) -> None:
-    message = message_for(written(tmp_path, with_line(key, f"{key} = -1.5")))
-    assert f"{key} = -1.5: {quantity} must not be negative" in message
 
 
 @pytest.mark.parametrize(
@@ -87,25 +83,18 @@ def test_an_unknown_key_is_named_with_the_nearest_known_one(tmp_path: Path, line
     assert advice in message_for(written(tmp_path, f"{TEMPLATE}\n{line}\n"))
 
 
-def test_a_missing_key_is_named_with_meaning_and_unit(tmp_path: Path) -> None:
-    message = message_for(written(tmp_path, with_line("c2", "")))
-    assert "c2: missing; add 'c2 = NUMBER' (N s/m, damping of the driving bridge)" in message
-
-
 def test_all_problems_of_a_file_are_reported_at_once(tmp_path: Path) -> None:
     text = with_line("m1", "m9 = 1").replace("k1 = 200000.0", "k1 = -1")
     message = message_for(written(tmp_path, text))
     assert "3 problems" in message
-    for problem in ("m9 = 1: unknown key", "m1: missing", "k1 = -1: stiffness must not be negative"):
+    missing = "m1: missing; add 'm1 = NUMBER' (kg, mass of the motor)"
+    for problem in ("m9 = 1: unknown key", missing, "k1 = -1: stiffness must not be negative"):
         assert f"\n  {problem}" in message
 
 
 def test_an_empty_file_lacks_every_key(tmp_path: Path) -> None:
     assert ": is empty; 'trimmer parameters --output FILE' writes one" in message_for(written(tmp_path, ""))
     assert "13 problems" in message_for(written(tmp_path, "# nothing"))
-
-
-def test_text_that_is_not_utf8_is_reported_with_the_place(tmp_path: Path) -> None:
     assert "not UTF-8 text (byte 3)" in message_for(written(tmp_path, b"# \n\xff"))
 
 
@@ -147,3 +136,47 @@ def test_of_many_problems_the_first_are_shown(tmp_path: Path, unknown: int, show
     _, *lines = message_for(written(tmp_path, text)).splitlines()
     assert len(lines) == shown + bool(more)
     assert (f"  ... and {more} more: put these right first" in lines) is bool(more)
+
+
+THESIS = TrimmerParameters.thesis()
+
+
+def test_thesis_values_are_those_of_listing_a1() -> None:
+    assert THESIS.values() == (0.035, 0.003, 0.005, 0.03, 200e3, 30e3, 150e3, 100e3, 1e3, 3.5, 0.4, 1, 4)
+
+
+def test_meanings_and_units_are_those_of_the_derivation() -> None:
+    derived = [(str(q.symbol).replace("_", ""), q.meaning, q.unit.text) for q in PARAMETERS]
+    assert [(p.symbol, p.meaning, p.unit) for p in parameter_table()] == derived
+
+
+def test_integers_and_numpy_numbers_become_floats() -> None:
+    parameters = dataclasses.replace(THESIS, k1=200_000, c1=np.float32(3.5), m1=np.int64(1))
+    assert [type(value) for value in parameters.values()] == [float] * 13
+    assert (parameters.k1, parameters.c1, parameters.m1) == (200e3, 3.5, 1.0)
+
+
+@pytest.mark.parametrize("symbol", MASSES)
+@pytest.mark.parametrize("value", [0, 0.0, -0.001])
+def test_masses_must_be_positive(symbol: str, value: float) -> None:
+    with pytest.raises(ParameterError, match=rf"^{symbol} = {value!r}: a mass must be greater than zero$"):
+        dataclasses.replace(THESIS, **{symbol: value})
+
+
+@pytest.mark.parametrize("symbol", STIFFNESSES + DAMPINGS)
+def test_stiffness_and_damping_may_be_zero_but_not_negative(symbol: str) -> None:
+    assert getattr(dataclasses.replace(THESIS, **{symbol: 0.0}), symbol) == 0.0
+    with pytest.raises(
+        ParameterError, match=rf"^{symbol} = -1e-09: (stiffness|damping) must not be negative$"
+    ):
+        dataclasses.replace(THESIS, **{symbol: -1e-9})
+
+
+def test_parameters_cannot_be_changed() -> None:
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        THESIS.m1 = 1.0  # type: ignore[misc]
+
+
+@given(trimmers())
+def test_toml_text_reads_back_equal(parameters: TrimmerParameters) -> None:
+    assert TrimmerParameters(**tomllib.loads(parameters.to_toml())) == parameters

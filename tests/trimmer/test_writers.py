@@ -160,9 +160,7 @@ def test_every_option_that_writes_is_among_them(capsys: pytest.CaptureFixture[st
 
 
 @pytest.mark.parametrize(("command", "option", "name"), PLACES)
-def test_a_command_replaces_no_file_of_another_kind(
-    folder: Path, capsys, command: str, option: str, name: str
-) -> None:
+def test_a_command_replaces_no_file_of_another_kind(folder, capsys, command, option, name) -> None:
     (folder / name).write_text(NOTES, "utf-8")
     told = refused(capsys, command, option, "." if option == "--directory" else name)
     assert f"{name} is there already" in told
@@ -170,9 +168,7 @@ def test_a_command_replaces_no_file_of_another_kind(
 
 
 @pytest.mark.parametrize(("command", "option", "name"), PLACES)
-def test_what_cannot_be_written_is_told_before_the_work(
-    folder: Path, capsys, command: str, option: str, name: str
-) -> None:
+def test_what_cannot_be_written_is_told_before_the_work(folder, capsys, command, option, name) -> None:
     (folder / "taken").write_text(NOTES, "utf-8")
     told = refused(capsys, command, option, "taken" if option == "--directory" else f"taken/{name}")
     assert "a file stands where its folder would be" in told

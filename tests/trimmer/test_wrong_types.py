@@ -23,6 +23,7 @@ CYCLE = trimmer.limit_cycles(SYSTEM, PLAY)[-1]
 SAMPLES = np.sin(np.arange(200.0))
 SIGNAL = trimmer.Signal(SAMPLES, 1000.0)
 MOVING = trimmer.Signal(SAMPLES, 1000.0, "x", "m")
+SIMULATED = trimmer.spectra.SimulatedLines(np.array([1.0 + 0j]), 160.0)
 SPECTRUM = trimmer.spectra.amplitude_spectrum(SAMPLES, 1000.0)
 FRICTION = trimmer.CoulombFriction(1.0)
 STATIC = trimmer.StaticElement(np.sin)
@@ -43,29 +44,17 @@ def state(**given: object) -> object:
     return motion().state(**given)
 
 
+BOTH, OF_SYSTEM = {"system": SYSTEM, "element": PLAY}, {"system": SYSTEM, "omega": 1.0}
+RANGES = {**BOTH, "omega_range": (100.0, 1e4), "frozen_omega": 4e3}
 ANYTHING = {"text": "1.0", "an object": object(), "a class": trimmer.FrictionBacklash, "complex": 1j}
 ANYTHING |= {"a dictionary": {"a": 1.0}, "uneven lists": [[1.0], [1.0, 2.0]], "none": None, "a loop": TRIMMER}
 
 CALLS = {
-    trimmer.identify_time_constant: {
-        "system": SYSTEM,
-        "gap": 4e-5,
-        "frequency": 740.0,
-        "frequency_uncertainty": 0.0,
-    },
+    trimmer.identify_time_constant: {"system": SYSTEM, "gap": 4e-5, "frequency": 740.0}
+    | {"frequency_uncertainty": 0.0},
     trimmer.harmonic_leakage: {"system": SYSTEM, "element": PLAY, "cycle": CYCLE, "harmonics": (3, 5)},
-    trimmer.harmonic_balance: {
-        "system": SYSTEM,
-        "element": PLAY,
-        "omega_range": (100.0, 1e4),
-        "frozen_omega": 4e3,
-    },
-    trimmer.limit_cycles: {
-        "system": SYSTEM,
-        "element": PLAY,
-        "omega_range": (100.0, 1e4),
-        "frozen_omega": 4e3,
-    },
+    trimmer.harmonic_balance: RANGES,
+    trimmer.limit_cycles: RANGES,
     trimmer.CoulombFriction: {"force": 1.0},
     trimmer.Relay: {"level": 1.0, "hysteresis": 0.1, "dead_zone": 0.1},
     trimmer.Saturation: {"threshold": 1.0, "slope": 1.0},
@@ -105,12 +94,8 @@ CALLS = {
     trimmer.linear.encirclements: {"system": SYSTEM, "point": -1.0},
     trimmer.linear.steady_state: {"system": SYSTEM, "omega": 1.0, "amplitude": 1.0},
     trimmer.linear.steady_state(SYSTEM, 1.0).at: {"times": 1.0},
-    trimmer.linear.time_response: {
-        "system": SYSTEM,
-        "times": [0.0, 1.0],
-        "inputs": [0.0, 1.0],
-        "initial_state": 0.0,
-    },
+    trimmer.linear.time_response: {"system": SYSTEM, "times": [0.0, 1.0], "inputs": [0.0, 1.0]}
+    | {"initial_state": 0.0},
     trimmer.energy_balance: {"motion": motion},
     trimmer.ClosedLoop: {"system": SYSTEM, "element": PLAY},
     trimmer.OpenLoop: {"system": SYSTEM, "element": PLAY, "drive": DRIVE},
@@ -123,92 +108,52 @@ CALLS = {
     trimmer.forced_orbit: {"loop": TRIMMER, "settling": 8},
     trimmer.multi_harmonic_balance: {"system": SYSTEM, "element": PLAY, "cycle": CYCLE, "orders": (1, 3)},
     trimmer.periodic_orbits: {"system": SYSTEM, "element": PLAY, "guesses": (CYCLE,), "search": SEARCH},
-    trimmer.OrbitSearch: {
-        "simulations": "never",
-        "starts": 1,
-        "seed": 1,
-        "steps": 1,
-        "half_periods": (1.0, 2.0),
-    },
+    trimmer.OrbitSearch: {"simulations": "never", "half_periods": (1.0, 2.0)}
+    | dict.fromkeys(("starts", "seed", "steps"), 1),
     trimmer.files.write_atomically: {"path": "a.bin", "content": b"", "overwrite": True},
     trimmer.TrimmerParameters.from_toml: {"path": "nothing.toml"},
     trimmer.Signal: {"values": SAMPLES, "sample_rate": 1.0, "name": "a", "unit": "m", "start": 0.0}
     | {"interpolated": 0, "converted": 0},
     trimmer.write_signal: {"path": "a.csv", "signal": SIGNAL, "overwrite": True},
-    trimmer.signals.write_wav: {
-        "path": "a.wav",
-        "signal": SAMPLES,
-        "sample_rate": 8000.0,
-        "peak": 0.9,
-        "overwrite": True,
-    },
+    trimmer.signals.write_wav: {"path": "a.wav", "signal": SAMPLES, "sample_rate": 8000.0, "peak": 0.9}
+    | {"overwrite": True},
     SIGNAL.scaled: {"factor": 2.0},
     SIGNAL.between: {"begin": 0.0, "end": 1.0},
-    trimmer.read_signal: {
-        "path": "a.csv",
-        "sample_rate": 1.0,
-        "layout": trimmer.signals.CsvLayout(),
-        "sampling": trimmer.signals.Sampling(),
-    },
+    trimmer.read_signal: {"path": "a.csv", "sample_rate": 1.0, "layout": trimmer.signals.CsvLayout()}
+    | {"sampling": trimmer.signals.Sampling()},
     trimmer.signals.read_wav: {"path": "a.wav", "channel": 1, "begin": 0.0, "end": 1.0},
     trimmer.convert: {"signal": MOVING, "quantity": "velocity", "highest": 200.0, "sensor_corner": 1.0},
     trimmer.faults: {"signal": SIGNAL},
     trimmer.spectra.averaged_spectrum: {"signals": SIGNAL, "averages": 2},
-    trimmer.spectra.compare_motions: {
-        "signal": MOVING,
-        "simulated": trimmer.spectra.SimulatedLines(np.array([1.0 + 0j]), 160.0),
-    }
-    | {"drive_frequency": 160.0},
-    trimmer.spectra.SimulatedLines: {
-        "displacement": np.array([1.0 + 0j]),
-        "frequency": 1.0,
-        "period_count": 1,
-    },
-    trimmer.analyse_signal: {
-        "signal": SIGNAL,
-        "drive_frequency": 100.0,
-        "natural_frequencies": (10.0,),
-        "limit": 3,
-    }
-    | {"limit_cycle_frequencies": (10.0,), "closed_loop": True},
-    trimmer.spectra.classify: {
-        "peaks": (),
-        "bin_width": 1.0,
-        "natural_frequencies": (1.0,),
-        "limit_cycle_frequencies": (1.0,),
-    }
-    | {"tolerance": trimmer.spectra.Tolerance(), "closed_loop": True},
-    trimmer.spectra.fit_harmonics: {
-        "signal": SAMPLES,
-        "sample_rate": 1000.0,
-        "drive_frequency": 100.0,
-        "count": 2,
-    },
+    trimmer.spectra.compare_motions: {"signal": MOVING, "simulated": SIMULATED, "drive_frequency": 160.0},
+    trimmer.spectra.SimulatedLines: {"displacement": np.array([1j]), "frequency": 1.0, "period_count": 1},
+    trimmer.analyse_signal: {"signal": SIGNAL, "drive_frequency": 100.0, "natural_frequencies": (10.0,)}
+    | {"limit": 3, "limit_cycle_frequencies": (10.0,), "closed_loop": True},
+    trimmer.spectra.classify: {"peaks": (), "bin_width": 1.0, "natural_frequencies": (1.0,)}
+    | {"limit_cycle_frequencies": (1.0,), "tolerance": trimmer.spectra.Tolerance(), "closed_loop": True},
+    trimmer.spectra.fit_harmonics: {"signal": SAMPLES, "sample_rate": 1000.0, "drive_frequency": 100.0}
+    | {"count": 2},
     trimmer.peaks: {"spectrum": SPECTRUM, "limit": 3},
     trimmer.spectra.amplitude_spectrum: {"signal": SAMPLES, "sample_rate": 1000.0},
     trimmer.spectra.Tolerance: {"bins": 1.0, "model": 0.1},
 }
-NONE_WILL_DO = {"omega_range", "frozen_omega", "initial_state", "limit", "count", "drive_frequency"}
-NONE_WILL_DO |= {
-    "settling",
-    "drive",
-    "element",
-    "sample_rate",
-    "omega",
-    "guesses",
-    "search",
-    "half_periods",
-    "channel",
-    "highest",
+NONE_WILL_DO = {
+    *(
+        "omega_range",
+        "frozen_omega",
+        "initial_state",
+        "limit",
+        "count",
+        "drive_frequency",
+        "settling",
+        "drive",
+    ),
+    *("element", "sample_rate", "omega", "guesses", "search", "half_periods", "channel", "highest"),
     "sensor_corner",
 }
 """Arguments that may be left out, somewhere."""
 ALSO_NAMED = {"values": "samples", "signal": "samples", "bins": "tolerance in bins"}
-ALSO_NAMED |= {
-    "model": "model tolerance",
-    "bin_width": "bin width",
-    "drive_frequency": "frequency of the drive",
-}
+ALSO_NAMED |= {"model": "model tolerance", "bin_width": "bin width", "drive_frequency": "of the drive"}
 ANY_TEXT = {"path", "name", "unit", "content"}
 NONSENSE = [
     None,
@@ -254,7 +199,6 @@ def test_a_wrong_type_is_named(call, tmp_path, monkeypatch) -> None:
             call(**{**right(call), argument: value})
         last = traceback.extract_tb(caught.value.__traceback__)[-1]
         assert Path(last.filename).is_relative_to(PACKAGE), ("raised by another package", argument, value)
-        assert last.line is not None
         assert last.line.startswith("raise "), ("not raised on purpose", argument, value)
         message = str(caught.value)
         assert argument in message or ALSO_NAMED.get(argument, argument) in message, value

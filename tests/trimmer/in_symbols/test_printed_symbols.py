@@ -126,9 +126,7 @@ def test_names_in_letters_that_latex_lacks_are_numbers_in_their_order():
 
 def test_a_number_that_is_taken_is_passed_over():
     bodies = {"Ж": Body(1.0), "a": Body(1.0, "m_1")}
-    mechanism = one_body(
-        bodies=bodies, links={name: Link((GROUND, name), 1.0, symbol=None) for name in bodies}
-    )
+    mechanism = one_body(bodies=bodies, links={name: Link((GROUND, name), 1, symbol=None) for name in bodies})
     assert [symbol(mechanism, "bodies", name, "mass") for name in bodies] == ["m_2", "m_1"]
     assert [symbol(mechanism, "bodies", name, "coordinate") for name in bodies] == ["q_1", "q_a"]
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 
 from tests.trimmer.trimmers import trimmers
-from trimmer import TrimmerParameters, WrongTypeError, linear_model, modes
+from trimmer import TrimmerParameters, linear_model, modes
 from trimmer.generated import linear_trimmer
 from trimmer.linear import undamped_modes
 
@@ -17,9 +17,7 @@ THESIS = TrimmerParameters.thesis()
 def test_eigenvalues_of_the_thesis_trimmer() -> None:
     # Equation 5.2 of the thesis, reversed; its digits follow from its parameters.
     printed = (-24.9984 + 1397.0567j, -41.8148 + 2229.5063j, -80.5896 + 3453.172j, -541.6448 + 7159.6999j)
-    assert [mode.eigenvalue for mode in modes(THESIS)] == [
-        pytest.approx(value, abs=6e-5) for value in printed
-    ]
+    assert [each.eigenvalue for each in modes(THESIS)] == [pytest.approx(v, abs=6e-5) for v in printed]
 
 
 def test_frequencies_and_damping_ratios_are_those_of_python_control() -> None:
@@ -113,9 +111,3 @@ def test_without_springs_bodies_drift_or_creep_and_are_in_order() -> None:
     assert found[-1].damping_ratio == pytest.approx(1.0)
     exact = np.linalg.eigvals(linear_model(loose).A)
     assert sizes[4:] == pytest.approx(np.sort(np.abs(exact))[4:], rel=1e-9)
-
-
-@pytest.mark.parametrize("function", [modes, undamped_modes])
-def test_what_is_no_trimmer_has_no_modes(function) -> None:
-    with pytest.raises(WrongTypeError, match="parameters"):
-        function(3.0)

@@ -28,7 +28,6 @@ def test_the_summary_says_what_the_state_space_says(channels: InputChannels) -> 
     assert summary.modes == modes(THESIS)
     assert summary.factored.static_gain == pytest.approx(system.dcgain(), rel=1e-12)
     assert summary.gain_crossings == pytest.approx(gain_crossings(system), rel=1e-9)
-    assert summary.low_pass is not None
     assert summary.low_pass.bandwidth == pytest.approx(bandwidth(system), rel=1e-9)
     assert summary.low_pass.crossings == pytest.approx(bandwidth_crossings(system), rel=1e-9)
     assert summary.roll_off == pytest.approx(asymptotic_roll_off(system))
@@ -47,13 +46,12 @@ def test_the_summary_follows_the_cutter_from_the_guard_by_both_channels_unless_t
     assert summarise(THESIS, "q3", "displacement").output == Displacement(TrimmerBody(3))
 
 
-def test_a_pin_that_touches_nothing_is_an_error() -> None:
+def test_a_pin_that_touches_nothing_is_an_error_and_what_there_is_not_is_none() -> None:
     with pytest.raises(UnsupportedSystemError, match="does not reach its output"):
         summarise(dataclasses.replace(THESIS, k2=0.0, c2=0.0))
-
-
-def test_without_a_gain_at_zero_frequency_there_is_no_bandwidth() -> None:
-    assert summarise(dataclasses.replace(THESIS, k2=0.0)).low_pass is None
+    assert summarise(dataclasses.replace(THESIS, k2=0.0)).low_pass is None  # no gain at zero frequency
+    undamped = dataclasses.replace(THESIS, c1=0.0, c2=0.0, c3=0.0, c4=0.0)
+    assert summarise(undamped).encirclements is None  # its locus is the real axis
 
 
 def test_a_free_trimmer_has_a_gain_at_zero_frequency() -> None:
@@ -69,11 +67,6 @@ def test_any_trimmer_can_be_summarised(parameters, body, channels) -> None:
     summary = summarise(parameters, Displacement(body), channels)
     assert summary.roll_off < 0
     assert summary.peaks
-
-
-def test_an_undamped_trimmer_whose_locus_is_the_real_axis_has_no_encirclements() -> None:
-    undamped = dataclasses.replace(THESIS, c1=0.0, c2=0.0, c3=0.0, c4=0.0)
-    assert summarise(undamped).encirclements is None
 
 
 def test_the_summary_shows_its_modes() -> None:

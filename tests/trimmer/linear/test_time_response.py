@@ -20,6 +20,10 @@ def test_a_ramp_is_exact_on_the_coarsest_grid() -> None:
     times = np.array([0.0, 3.0, 6.0])
     response = time_response(FIRST_ORDER, times, times)
     np.testing.assert_allclose(response.outputs, times - 1 + np.exp(-times), atol=1e-14)
+    two = time_response(FIRST_ORDER, [2.0, 5.0], [1.0, 1.0], [4.0])
+    np.testing.assert_allclose(two.outputs, [4.0, 1.0 + 3.0 * math.exp(-3.0)], rtol=1e-14)
+    rounded = np.round(np.arange(0.0, 1.0, 1 / 3000), 10)  # counts as equally spaced
+    assert time_response(FIRST_ORDER, rounded, np.ones(rounded.size)).outputs.shape == rounded.shape
 
 
 def test_a_released_trimmer_moves_as_newton_says() -> None:
@@ -61,11 +65,13 @@ def test_after_the_transient_the_steady_state_remains(channels: InputChannels) -
     np.testing.assert_allclose(simulated.outputs[last], steady.at(times[last]), atol=1e-5 * AMPLITUDE)
 
 
-def test_steady_state_of_a_first_order_system() -> None:
+def test_steady_state_of_a_first_order_system_and_of_a_gain() -> None:
     steady = steady_state(control.tf([1], [1, 1]), 1.0, 2.0)
     assert steady.amplitude == pytest.approx(math.sqrt(2))
     assert steady.phase == pytest.approx(-math.pi / 4)
     assert steady.at([[0.0, math.pi / 4]]) == pytest.approx(np.array([[-1.0, 0.0]]), abs=1e-15)
+    gain = steady_state(control.tf([-2.0], [1.0]), 3.0, 1.5)
+    assert (gain.omega, gain.amplitude, gain.phase) == (3.0, 3.0, math.pi)
 
 
 @pytest.mark.parametrize("denominator", [[1, 0], [1, -1], [1, 0, 4]])
@@ -133,25 +139,10 @@ def test_a_wrong_initial_state_is_named(state: object) -> None:
         time_response(FIRST_ORDER, TIMES, np.zeros(3), state)
 
 
-def test_stamps_that_are_rounded_count_as_equally_spaced() -> None:
-    times = np.round(np.arange(0.0, 1.0, 1 / 3000), 10)
-    assert time_response(FIRST_ORDER, times, np.ones(times.size)).outputs.shape == times.shape
-
-
-def test_two_instants_suffice() -> None:
-    response = time_response(FIRST_ORDER, [2.0, 5.0], [1.0, 1.0], [4.0])
-    np.testing.assert_allclose(response.outputs, [4.0, 1.0 + 3.0 * math.exp(-3.0)], rtol=1e-14)
-
-
 @pytest.mark.parametrize("later", [0.4, 0.5])
 def test_the_first_instant_that_does_not_rise_is_named(later: float) -> None:
     with pytest.raises(ValueError, match=rf"but 0\.5 s is followed by {later} s"):
         time_response(FIRST_ORDER, [0.0, 0.25, 0.5, later, 0.2], np.zeros(5))
-
-
-def test_a_gain_without_dynamics_is_steady_at_once() -> None:
-    steady = steady_state(control.tf([-2.0], [1.0]), 3.0, 1.5)
-    assert (steady.omega, steady.amplitude, steady.phase) == (3.0, 3.0, math.pi)
 
 
 def test_signals_are_numbered_where_there_are_several() -> None:

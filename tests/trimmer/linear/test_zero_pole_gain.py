@@ -60,23 +60,16 @@ def test_the_phase_is_continuous(system: control.TransferFunction) -> None:
         assert after == pytest.approx(before, abs=0.1)
 
 
-def test_state_space_zeros_of_a_high_relative_degree() -> None:
+def test_zeros_of_a_high_relative_degree_with_feedthrough_and_of_none() -> None:
     system = control.tf([1, 3], np.poly([-1, -2, -5, -7, -11, -13]))
     factored = ZeroPoleGain.of(control.ss(system))
     assert factored.relative_degree == 5
     assert factored.zeros == pytest.approx((-3,), rel=1e-9)
     assert factored.gain == pytest.approx(1.0, rel=1e-9)
-
-
-def test_state_space_with_feedthrough() -> None:
-    factored = ZeroPoleGain.of(control.ss([[-1.0]], [[1.0]], [[1.0]], [[2.0]]))  # 2 + 1/(s + 1)
-    assert factored.gain == 2.0
-    assert factored.zeros == pytest.approx((-1.5,))
-
-
-def test_a_constant_has_no_roots() -> None:
-    assert ZeroPoleGain.of(control.ss([], [], [], [[-4.0]])) == ZeroPoleGain(-4.0, (), ())
-    assert ZeroPoleGain.of(control.tf([-4.0], [1.0])) == ZeroPoleGain(-4.0, (), ())
+    through = ZeroPoleGain.of(control.ss([[-1.0]], [[1.0]], [[1.0]], [[2.0]]))  # 2 + 1/(s + 1)
+    assert (through.gain, through.zeros) == (2.0, (pytest.approx(-1.5),))
+    for constant in (control.ss([], [], [], [[-4.0]]), control.tf([-4.0], [1.0])):
+        assert ZeroPoleGain.of(constant) == ZeroPoleGain(-4.0, (), ())
 
 
 def test_roots_of_an_undamped_system_lie_on_the_axis() -> None:
@@ -89,11 +82,8 @@ def test_roots_of_an_undamped_system_lie_on_the_axis() -> None:
 @pytest.mark.parametrize(
     ("numerator", "denominator", "expected"),
     [
-        ([2], [1, 4], 0.5),
-        ([1, 0], [1, 4], 0.0),
-        ([1], [1, 0], np.inf),
+        *(([2], [1, 4], 0.5), ([1, 0], [1, 4], 0.0), ([1], [1, 0], np.inf), ([-1], [1, 2], -0.5)),
         ([3, 0], [1, 4, 0], 0.75),
-        ([-1], [1, 2], -0.5),
     ],
 )
 def test_static_gain(numerator, denominator, expected) -> None:

@@ -41,7 +41,6 @@ def test_keys_are_those_of_the_json_of_a_response() -> None:
     assert of("outputs.stroke.lines.6/2") == third
     assert of("outputs.stroke.lines.1/2") == 0.0
     orbit = response.motion.orbit
-    assert orbit is not None
     twice = Measures(flow.course(orbit.instant, 2), flow, 2, 2)
     assert chosen_measure(flow, "outputs.stroke.lines.3").of(twice) == pytest.approx(stroke["harmonics"][2])
     speed = max(content["contacts"]["bridge"]["impact_speeds"])
@@ -52,9 +51,7 @@ def test_keys_are_those_of_the_json_of_a_response() -> None:
 
 def test_maps_and_branches_measure_what_is_asked_for() -> None:
     oscillator, keys = example("oscillator-stop"), ["contacts.stop.impact_speed", "rattle"]
-    result = motion_map(
-        oscillator, {"frequency": [0.9, 1.2]}, measures=keys, runner=SerialRunner(), quiet=True
-    )
+    result = motion_map(oscillator, {"frequency": [0.9, 1.2]}, measures=keys, runner=SerialRunner())
     branch = follow(oscillator, "frequency", 0.9, 0.91, settings=FollowSettings(most_points=4, quiet=True))
     assert branch.points[0].measure(keys[0]) == pytest.approx(result.chosen[keys[0]][0, 0], rel=1e-9)
     assert result.chosen["rattle"].tolist() == [[1.0, 0.0]]

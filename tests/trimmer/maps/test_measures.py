@@ -8,7 +8,7 @@ from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.statuses import CONTACT_MADE
 from trimmer.maps.measures import of_orbit, of_window
 from trimmer.maps.settle import settle
-from trimmer.mechanism import Body, Friction, Link, Mechanism, Output, Pin
+from trimmer.mechanism import Body, Friction, Link, Mechanism, Pin
 
 TWIN = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play.toml")
 
@@ -16,37 +16,18 @@ TWIN = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play
 def measures_of(mechanism: Mechanism, measures=of_orbit):
     flow = MechanismFlow(mechanism)
     orbit = settle(flow, flow.rest(), 400).orbit
-    assert orbit is not None
     return measures(flow, orbit.course, orbit.period_count)
 
 
-@pytest.mark.parametrize(("measures", "rel"), [(of_orbit, 1e-10), (of_window, 1e-7)])
-def test_a_linear_oscillator_is_that_of_the_textbook(measures, rel: float) -> None:
+def test_a_linear_oscillator_is_that_of_the_textbook() -> None:
     """Even samples of a harmonic give its mean square exactly; between them swings are cubics."""
     mechanism, omega = linear_oscillator(), 7.5
     amplitude = 100 / abs(40 - omega**2 + 0.1j * SQUARE_ROOT_OF_40 * omega)
-    found = measures_of(mechanism, measures)
-    assert found.peak_to_peak["x"] == pytest.approx(2 * amplitude, rel=rel)
-    assert found.rms_acceleration["mass"] == pytest.approx(omega**2 * amplitude / np.sqrt(2), rel=rel)
+    found = measures_of(mechanism, of_window)
+    assert found.peak_to_peak["x"] == pytest.approx(2 * amplitude, rel=1e-7)
+    assert found.rms_acceleration["mass"] == pytest.approx(omega**2 * amplitude / np.sqrt(2), rel=1e-7)
     assert (found.events, found.impacts, found.impact_speed) == (0, 0, 0)
     assert found.wear_power == {}
-
-
-def test_wear_is_the_work_of_the_driving_pin() -> None:
-    # A light block rubs on the ground, moved by a stiff spring: its power is force times mean speed.
-    amplitude, frequency, force = 1e-3, 10.0, 2.0
-    mechanism = Mechanism(
-        {"block": Body(1e-3)},
-        frequency=frequency,
-        pins={"pin": Pin("ground", amplitude=amplitude)},
-        links={"spring": Link(("pin", "block"), stiffness=1e6, damping=10.0)},
-        frictions={"blade": Friction(("ground", "block"), force=force)},
-        outputs={"block": Output({"block": 1.0}), "spring": Output({"block": 1.0, "pin": -1.0})},
-    )
-    found = measures_of(mechanism)
-    mean_speed = 4 * (found.peak_to_peak["block"] / 2) * frequency
-    assert found.wear_power["blade"] == pytest.approx(force * mean_speed, rel=1e-9)
-    assert found.peak_to_peak["spring"] == pytest.approx(2 * force / 1e6, rel=0.1)
 
 
 def test_even_samples_of_a_window_are_near_the_exact_measures() -> None:
@@ -56,18 +37,6 @@ def test_even_samples_of_a_window_are_near_the_exact_measures() -> None:
     assert even.rms_acceleration["motor"] == pytest.approx(exact.rms_acceleration["motor"], rel=0.02)
     assert even.wear_power["blade"] == pytest.approx(exact.wear_power["blade"], rel=0.01)
     assert (even.events, even.impact_speed) == (exact.events, exact.impact_speed)
-
-
-def test_impacts_and_their_speed_are_those_of_the_events() -> None:
-    flow = MechanismFlow(TWIN.with_value("frictions.blade.force", 1.0))
-    orbit = settle(flow, flow.rest(), 300).orbit
-    assert orbit is not None
-    made = [time for time, _, kind in orbit.course.events if kind == CONTACT_MADE]
-    states = orbit.course.states(np.array(made))
-    speeds = abs(states @ flow.modes.system.machine.contact_rate[0])
-    found = of_orbit(flow, orbit.course, 1)
-    assert found.impacts == len(made)
-    assert found.impact_speed == pytest.approx(speeds.max(), rel=1e-9)
 
 
 def test_events_of_a_window_are_counted_for_each_drive_period() -> None:

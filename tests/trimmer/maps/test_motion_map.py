@@ -1,4 +1,4 @@
-"""Maps over one number or two: cells, runners, starts, and what is refused."""
+"""Maps over one number or two: cells, runners, starts, what they settle to, and what is refused."""
 
 import multiprocessing
 from dataclasses import replace
@@ -16,6 +16,7 @@ from trimmer.errors import MapError, MechanismError
 from trimmer.maps.cells import CellWork, start_scales
 from trimmer.maps.inputs import Settings, checked_inputs
 from trimmer.maps.motion_map import MapInterruptedError
+from trimmer.maps.settle import settle
 from trimmer.runners import ProcessRunner
 
 TWIN = Mechanism.from_toml(Path(__file__).parents[3] / "examples" / "thesis-play.toml")
@@ -36,8 +37,7 @@ class Backwards:
 
 
 def test_arrays_have_a_row_for_each_value_of_the_second_place(twin) -> None:
-    assert twin.shape == (4, 3)
-    assert twin.stroke.shape == twin.kind.shape == twin.period_count.shape == (4, 3)
+    assert twin.shape == twin.stroke.shape == twin.kind.shape == twin.period_count.shape == (4, 3)
     assert list(twin.rms_acceleration) == ["motor", "cutter", "housing", "guard"]
     assert twin.wear_power["blade"].shape == (4, 3)
     assert not twin.failures
@@ -63,7 +63,6 @@ def test_a_cell_is_what_respond_finds(twin, cell) -> None:
     (motion,) = respond(
         mechanism.with_value("frictions.blade.force", PLACES["frictions.blade.force"][row])
     ).motions
-    assert motion.orbit is not None
     assert (motion.kind, motion.period_count) == (twin.kind[cell], twin.period_count[cell])
     measures = motion.orbit.measures
     assert twin.stroke[cell] == pytest.approx(measures.peak_to_peak["stroke"], rel=1e-9)
@@ -100,9 +99,8 @@ def test_random_starts_belong_to_their_cell() -> None:
 def test_one_place_gives_one_row() -> None:
     found = motion_map(linear_oscillator(), {"frequency": [1.0, 1.5]}, runner=SERIAL)
     assert found.shape == (1, 2)
-    amplitudes = 100 / abs(
-        40 - (2 * np.pi * np.array([1.0, 1.5])) ** 2 + 0.2j * np.pi * np.sqrt(40) * np.array([1.0, 1.5])
-    )
+    omega = 2 * np.pi * np.array([1.0, 1.5])
+    amplitudes = 100 / abs(40 - omega**2 + 0.1j * np.sqrt(40) * omega)
     np.testing.assert_allclose(found.stroke[0], 2 * amplitudes, rtol=1e-9)
     assert "not looked for" in found.searched
 
@@ -139,14 +137,6 @@ def test_what_cannot_be_varied_is_told_before_the_run(values, message: str) -> N
         motion_map(TWIN, values)
 
 
-def test_a_mechanism_without_a_drive_has_no_map() -> None:
-    from trimmer.mechanism import Body, Link
-
-    free = Mechanism({"mass": Body(1.0)}, links={"spring": Link(("ground", "mass"), stiffness=1.0)})
-    with pytest.raises(MapError, match="no frequency"):
-        motion_map(free, {"bodies.mass.mass": [1.0]})
-
-
 @pytest.mark.parametrize(("name", "least"), [("most_periods", 2), ("starts", 1), ("seed", 0)])
 def test_settings_are_whole_numbers_from_the_least_on(name: str, least: int) -> None:
     with pytest.raises(ValueError, match=f"{name} must be a whole number"):
@@ -155,10 +145,15 @@ def test_settings_are_whole_numbers_from_the_least_on(name: str, least: int) -> 
     assert vars(found.inputs.settings) == {**vars(Settings()), name: least}
 
 
-@pytest.mark.parametrize("name", ["resume", "overwrite"])
-def test_resume_and_overwrite_are_of_a_file(name: str) -> None:
-    with pytest.raises(MapError, match=f"^{name} is of a file"):
-        motion_map(TWIN, PLACES, **{name: True})
+def test_what_is_not_there_is_not_asked_for() -> None:
+    for name in ("resume", "overwrite"):
+        with pytest.raises(MapError, match=f"^{name} is of a file"):
+            motion_map(TWIN, PLACES, **{name: True})
+    with pytest.raises(MapError, match="no frequency"):
+        motion_map(replace(linear_oscillator(), frequency=None, forces={}), {"bodies.mass.mass": [1.0]})
+    found = motion_map(replace(linear_oscillator(), outputs={}), {"frequency": [1.0]}, runner=SERIAL)
+    with pytest.raises(MapError, match="no output"):
+        _ = found.stroke
 
 
 def test_values_are_set_in_whatever_order_they_fit() -> None:
@@ -213,12 +208,6 @@ def test_random_starts_go_as_far_as_the_largest_amplitude_or_gap(parts, length: 
     assert start_scales(flow)[:2] == pytest.approx([length, length * 7.5], rel=1e-12)
 
 
-def test_no_stroke_without_an_output() -> None:
-    found = motion_map(replace(linear_oscillator(), outputs={}), {"frequency": [1.0]}, runner=SERIAL)
-    with pytest.raises(MapError, match="no output"):
-        _ = found.stroke
-
-
 def test_an_interrupt_tells_how_far_it_came() -> None:
     class Interrupted:
         def results(self, work: CellWork, cells):
@@ -255,5 +244,53 @@ def test_small_distances_grow_as_respond_finds_over_more_periods() -> None:
     wide = TWIN.with_value("plays.bridge.gap", 400e-6)
     found = motion_map(wide, {"frictions.blade.force": [0.1]}, runner=SERIAL)
     longer = respond(wide.with_value("frictions.blade.force", 0.1)).motion.lyapunov
-    assert longer is not None
     assert found.lyapunov[0, 0] == pytest.approx(longer.value, rel=0.35)
+
+
+def settled(mechanism: Mechanism, periods: int = 300):
+    flow = MechanismFlow(mechanism)
+    return settle(flow, flow.rest(), periods)
+
+
+def test_two_frequencies_without_damping_are_a_torus() -> None:
+    # An undamped oscillator from rest moves with its own frequency beside that of the drive for ever.
+    mechanism = linear_oscillator().with_value("links.spring.damping", 0.0)
+    found = settled(mechanism)
+    assert found.kind is MotionKind.TORUS
+    assert found.lyapunov == pytest.approx(0.0, abs=0.02)
+
+
+STUCK = """
+frequency = 20.0
+[bodies]
+block = { mass = 0.5 }
+[pins]
+pin = { on = "ground", amplitude = 1e-3 }
+[plays]
+fork = { between = ["pin", "block"], stiffness = 2e3, damping = 1.0, gap = 1e-4 }
+[frictions]
+floor = { between = ["ground", "block"], force = 10.0 }
+[outputs]
+block = { block = 1 }
+"""
+"""The fork pushes with 2 N or so: too little for the friction, which holds the block wherever it is."""
+
+
+def test_starts_from_which_friction_holds_a_block_lead_to_one_motion() -> None:
+    stuck = Mechanism.from_toml_text(STUCK)
+    result = motion_map(stuck, {"frequency": [20.0, 21.0]}, starts=4, runner=SerialRunner())
+    assert [len(cell.motions) for cell in result.cells] == [1, 1]
+    assert [cell.motions[0].starts for cell in result.cells] == [4, 4]
+
+
+@pytest.mark.parametrize("periods", [2, 24, 25, 150])
+def test_as_many_periods_are_waited_as_are_given(periods: int) -> None:
+    """Two frequencies that damp so little that nothing settles within so short a time."""
+    restless = TWIN.with_value("frictions.blade.force", 0.0)
+    assert settled(restless, periods).periods == periods
+
+
+def test_what_meets_no_event_needs_no_patience() -> None:
+    found = settled(linear_oscillator().with_value("links.spring.damping", 0.01), periods=40)
+    assert found.kind is MotionKind.PERIODIC
+    assert found.periods <= 40

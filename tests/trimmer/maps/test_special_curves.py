@@ -91,9 +91,7 @@ def test_curves_need_several_values_of_two_numbers(values: dict[str, list[float]
         special_curves(values)  # type: ignore[arg-type]
 
 
-def locus(
-    values: list[tuple[float, float]], states: list[tuple[float, ...]], reason: LocusEnd = LocusEnd.LEFT
-) -> Locus:
+def locus(values: list, states: list, reason: LocusEnd = LocusEnd.LEFT) -> Locus:
     residual = np.array([np.nan, *np.arange(1.0, len(values))]) * 1e-13
     given = np.array(values, dtype=float), np.array(states, dtype=float)
     return Locus(SpecialKind.FOLD, (), PLACES, 2, *given, residual, residual, reason, "it ends", ("Hz", "m"))
@@ -148,9 +146,7 @@ AT = 3.5, 1.5e-5
         (3.6, 1.5e-5, (1.5, 15.0), False),
     ],
 )
-def test_a_curve_holds_the_points_that_lie_on_it_with_their_states(
-    first: float, second: float, states: tuple[float, ...], held: bool
-) -> None:
+def test_a_curve_holds_the_points_that_lie_on_it_with_their_states(first, second, states, held) -> None:
     point = SpecialPoint(SpecialKind.FOLD, first, np.array(states))
     assert BOTH.holds(point, second, SPANS) is held
     assert not BOTH.holds(replace(point, kind=SpecialKind.TORUS), second, SPANS)
@@ -194,9 +190,7 @@ def test_curves_meet_where_they_cross_with_one_orbit(other: SpecialCurve, at: li
 
 @pytest.mark.parametrize("reason", list(LocusEnd))
 @pytest.mark.parametrize(("share", "near"), [(0.019, True), (0.021, False)])
-def test_a_curve_that_was_lost_ends_on_another_within_a_share_of_the_ranges(
-    reason: LocusEnd, share: float, near: bool
-) -> None:
+def test_a_curve_that_was_lost_ends_on_another_within_a_share_of_the_ranges(reason, share, near) -> None:
     may_end = reason in (LocusEnd.LOST, LocusEnd.CHANGED, LocusEnd.CUSP)
     ending = curve([(4.0, 4e-5), (4.0, 2e-5 + share * 4e-5)], reason=reason)
     far = curve([(0.0, 9e-5), (1.0, 9e-5)])

@@ -27,9 +27,7 @@ pytestmark = pytest.mark.skipif(find_spec("distributed") is None, reason="needs 
 
 
 @pytest.fixture(scope="module", params=[1])
-def cluster(
-    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
-) -> Iterator[LocalCluster]:
+def cluster(request, tmp_path_factory) -> Iterator[LocalCluster]:
     from distributed import LocalCluster
 
     with LocalCluster(

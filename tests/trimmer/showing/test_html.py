@@ -12,7 +12,7 @@ from IPython.core.formatters import HTMLFormatter
 from trimmer.errors import MissingPackageError
 from trimmer.showing import shown as html
 from trimmer.showing.shown import LONGEST, ShownFields, Tabular, counted
-from trimmer.showing.table import TERMS, Column, Table, arrays, attributes, to_frame
+from trimmer.showing.table import Column, Table
 from trimmer.thesis import TrimmerBody
 
 
@@ -91,29 +91,10 @@ def test_long_lines_are_cut_at_a_word() -> None:
     assert shown(Small(2.5)) == f"<table><caption>Small</caption><tbody>{row}</tbody></table>"
 
 
-def test_a_frame_has_words_and_units() -> None:
-    frame = Made("told").to_dataframe()
-    assert frame["a<b"].tolist() == [0, 1, 2]
-    assert frame.attrs == {"title": "Title & more", "units": {"a<b": "m", "c": ""}}
-    worded = to_frame(Table("t", [TrimmerBody.CUTTER], (Column("body", "", lambda each: each),)))
-    assert worded["body"].tolist() == ["q2"]
-
-
 def test_a_frame_needs_pandas(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "pandas", None)
     with pytest.raises(MissingPackageError, match="pip install pandas"):
         Made("told").to_dataframe()
-
-
-def test_columns_take_attributes_and_rows() -> None:
-    table = Table("t", [1 + 2j, 3 - 4j], attributes(real="m", imag=""))
-    assert list(table.rows()) == [(1.0, 2.0), (3.0, -4.0)]
-    assert list(table.rows(1)) == [(1.0, 2.0)]
-    assert table.units == {"real": "m", "imag": ""}
-    assert list(Table("t", range(2), arrays(x=("m", [5, 6]))).rows()) == [(5,), (6,)]
-    (column,) = arrays(x=("m", [5, 6]))
-    assert (column.name, column.unit) == ("x", "m")
-    assert list(Table("t", [("work", 2.0)], TERMS).rows()) == [("work", 2.0)]
 
 
 @pytest.mark.parametrize(

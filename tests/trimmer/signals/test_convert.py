@@ -157,12 +157,7 @@ def test_faults_of_the_source_are_told_though_the_result_hides_them() -> None:
         ("m", "speed", {}, "choose displacement, velocity, acceleration or other"),
         ("m/s2", "velocity", {"lowest": 2.0}, "too short to convert from 2 to 3906 Hz"),
         ("m/s2", "velocity", {"lowest": -2.0}, "lowest is -2.0: it must be above 0 Hz and below 3906.25 Hz"),
-        (
-            "m/s2",
-            "velocity",
-            {"highest": 5000.0},
-            "highest is 5000.0: it must be above 0 Hz and below 5000 Hz",
-        ),
+        ("m/s2", "velocity", {"highest": 5000.0}, "highest is 5000.0: it must be above 0 Hz"),
     ],
 )
 def test_what_cannot_be_converted_is_refused(unit, quantity, options, message: str) -> None:

@@ -26,13 +26,11 @@ def clipping(values: np.ndarray, **options: float) -> Clipping | None:
 def test_a_clipped_record_is_told(level: float, noise: float) -> None:
     values = SINE + noise * NOISE
     told = clipping(np.clip(values, -level, level))
-    assert told is not None
     assert told.largest == int((values >= level).sum()) and told.smallest == int((values <= -level).sum())
     assert "largest value and" in told.sentence and "smallest value" in told.sentence
     if level <= 0.9:
         assert told.certainty is FaultCertainty.LIKELY
     one_sided = clipping(np.minimum(values, level))
-    assert one_sided is not None
     assert (one_sided.smallest, one_sided.largest) == (0, told.largest)
 
 
@@ -86,7 +84,6 @@ def test_a_play_that_sticks_at_its_extremes_is_only_possibly_clipped() -> None:
         output.append(min(max(output[-1], pin - 2e-4), pin + 2e-4))
     for values in (np.array(output[1:]), np.round(1e7 * np.array(output[1:]))):
         told = clipping(values)
-        assert told is not None
         assert told.certainty is FaultCertainty.POSSIBLE
         assert "if the motion does not stand still there" in told.sentence
 
@@ -125,18 +122,14 @@ def test_scale_and_time_do_not_matter() -> None:
         (0.9, 1.0, FaultCertainty.POSSIBLE),
     ],
 )
-def test_two_runs_are_likely_clipped_where_they_are_at_opposite_levels(
-    high: float, low: float, certainty: FaultCertainty
-) -> None:
+def test_two_runs_are_likely_clipped_where_they_are_at_opposite_levels(high, low, certainty) -> None:
     values = 0.1 * NOISE
     values[500:504], values[2500:2505] = high, -low
     told = clipping(values)
-    assert told is not None
     assert (told.certainty, told.largest, told.smallest, told.runs) == (certainty, 4, 5, 2)
     assert (told.first, told.level) == (0.1, max(high, low))
     values[4000:4003] = high  # a third run
     told = clipping(values)
-    assert told is not None
     assert (told.certainty, told.largest, told.runs) == (FaultCertainty.LIKELY, 7, 3)
 
 
@@ -145,11 +138,9 @@ def test_two_runs_at_one_end_are_only_possibly_clipped_though_a_sample_is_at_the
     values[500:504] = values[2500:2504] = 1.0
     values[1500] = -1.0
     told = clipping(values)
-    assert told is not None
     assert (told.certainty, told.runs, told.smallest) == (FaultCertainty.POSSIBLE, 2, 0)
 
 
 def test_a_record_of_nothing_but_cut_ends_does_not_tell_whether_it_is_cut() -> None:
     told = clipping(np.array([0.0, *[1.0, 1.0, 1.0, -1.0, -1.0, -1.0] * 4]))
-    assert told is not None
     assert (told.certainty, told.runs) == (FaultCertainty.POSSIBLE, 8)

@@ -10,6 +10,7 @@ from trimmer import Signal, WrongTypeError, faults
 from trimmer.signals import Clipping, Dropout, FewSteps, Offset
 from trimmer.signals.fault import Fault, FaultCertainty
 
+POSSIBLE, LIKELY, CERTAIN = FaultCertainty.POSSIBLE, FaultCertainty.LIKELY, FaultCertainty.CERTAIN
 RATE = 500.0
 WAVE = [0, 1, 2, 1, 0, -1, -2, -1]
 NOISY = [0, 2, 1, 2, 0, 1, 0, 2, 0, 1]
@@ -24,39 +25,27 @@ def found(kind: type[Fault], values: Sequence[float] | np.ndarray, **options: fl
     ("values", "scale", "expected"),
     [
         # Three levels; a single run is only possibly clipped.
-        ([0, 1, 0, 1, 30, 30, 30, 1, 0, 1, 0], math.inf, (FaultCertainty.POSSIBLE, 3, 0, 1, 4)),
+        ([0, 1, 0, 1, 30, 30, 30, 1, 0, 1, 0], math.inf, (POSSIBLE, 3, 0, 1, 4)),
         ([0, 0, 0, 0, 1], math.inf, None),
         # A pair counts at full scale alone, which begins at 0.999 of it.
         ([*WAVE, 40, 40, *WAVE], math.inf, None),
-        ([*WAVE, 40, 40, *WAVE], 40.0 / 0.999, (FaultCertainty.CERTAIN, 2, 0, 1, 8)),
+        ([*WAVE, 40, 40, *WAVE], 40.0 / 0.999, (CERTAIN, 2, 0, 1, 8)),
         ([*WAVE, 40, 40, *WAVE], 40.1, None),
         # Two runs at one extreme are few; at both, or three, they are many.
-        ([*NOISY, 30, 30, 30, *NOISY, 30, 30, 30, *NOISY], math.inf, (FaultCertainty.POSSIBLE, 6, 0, 2, 10)),
-        ([*(3 * [*NOISY, 30, 30, 30]), *NOISY], math.inf, (FaultCertainty.LIKELY, 9, 0, 3, 10)),
-        ([*NOISY, 30, 30, 30, *NOISY, -30, -30, -30, -30, *NOISY], 1e6, (FaultCertainty.LIKELY, 3, 4, 2, 10)),
-        (
-            [*NOISY, 30, 30, 30, *NOISY, -30, -30, -30, -30, *NOISY],
-            30.0,
-            (FaultCertainty.CERTAIN, 3, 4, 2, 10),
-        ),
+        ([*NOISY, 30, 30, 30, *NOISY, 30, 30, 30, *NOISY], math.inf, (POSSIBLE, 6, 0, 2, 10)),
+        ([*(3 * [*NOISY, 30, 30, 30]), *NOISY], math.inf, (LIKELY, 9, 0, 3, 10)),
+        ([*NOISY, 30, 30, 30, *NOISY, -30, -30, -30, -30, *NOISY], 1e6, (LIKELY, 3, 4, 2, 10)),
+        ([*NOISY, 30, 30, 30, *NOISY, -30, -30, -30, -30, *NOISY], 30, (CERTAIN, 3, 4, 2, 10)),
         # A jump of 12 steps is a rounded crest, of 13 is not; the level below has as many samples.
         ([0, 1, *(4 * [2]), 14, 14, 14, *(4 * [2]), 1], math.inf, None),
-        ([0, 1, *(4 * [2]), 15, 15, 15, *(4 * [2]), 1], math.inf, (FaultCertainty.POSSIBLE, 3, 0, 1, 6)),
+        ([0, 1, *(4 * [2]), 15, 15, 15, *(4 * [2]), 1], math.inf, (POSSIBLE, 3, 0, 1, 6)),
         # Coarse steps: more than three times as many samples as the next level has.
         ([0, 1, 2, 3, 3, 3], math.inf, None),
-        ([0, 1, 2, 3, 3, 3, 3], math.inf, (FaultCertainty.POSSIBLE, 4, 0, 1, 3)),
+        ([0, 1, 2, 3, 3, 3, 3], math.inf, (POSSIBLE, 4, 0, 1, 3)),
         # A quarter of the record is no crest.
-        (
-            [*np.resize([30.0, 0, 30, 1, 30], 13), *(7 * [60.0])],
-            math.inf,
-            (FaultCertainty.POSSIBLE, 7, 0, 1, 13),
-        ),
+        ([*np.resize([30.0, 0, 30, 1, 30], 13), *(7 * [60.0])], math.inf, (POSSIBLE, 7, 0, 1, 13)),
         ([*np.resize([30.0, 0, 30, 1, 30], 12), *(8 * [60.0])], math.inf, None),
-        (
-            [*np.resize([30.0, 0, 30, 1, 30], 31), *(9 * [60.0])],
-            math.inf,
-            (FaultCertainty.POSSIBLE, 9, 0, 1, 31),
-        ),
+        ([*np.resize([30.0, 0, 30, 1, 30], 31), *(9 * [60.0])], math.inf, (POSSIBLE, 9, 0, 1, 31)),
         ([*np.resize([30.0, 0, 30, 1, 30], 30), *(10 * [60.0])], math.inf, None),
     ],
 )
@@ -77,10 +66,8 @@ def assert_clipped(told: Fault | None, expected: tuple | None, samples: int) -> 
     assert (told.samples, told.first) == (samples, pytest.approx(0.4 + place / RATE))
 
 
-@pytest.mark.parametrize(("cut", "certainty"), [(3, FaultCertainty.LIKELY), (2, FaultCertainty.POSSIBLE)])
-def test_three_of_five_runs_must_come_faster_than_their_curvature_stops(
-    cut: int, certainty: FaultCertainty
-) -> None:
+@pytest.mark.parametrize(("cut", "certainty"), [(3, LIKELY), (2, POSSIBLE)])
+def test_three_of_five_runs_must_come_faster_than_their_curvature_stops(cut, certainty) -> None:
     stopped, stands = (5, 5, 5, 2, 0, 0, -2, -5, -5, -5), (10, 3, 2, 2, 0, 0, -2, -2, -3, -10)
     values = np.cumsum([0.0, 0.1, -0.1, *cut * stopped, *(5 - cut) * stands])
     told = found(Clipping, np.round(values, 9))

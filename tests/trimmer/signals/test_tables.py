@@ -2,10 +2,15 @@
 
 import math
 
+import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from tests.trimmer.signals.reading import message_for
-from trimmer.signals import CsvLayout, read_signal
+from trimmer.signals import CsvLayout, DecimalSign, read_signal
+from trimmer.signals.cells import numbers_in
+from trimmer.signals.text_file import SignalFileError
 
 FIRST = {"column": 1, "sample_rate": 1.0}
 
@@ -166,3 +171,28 @@ def test_without_rate_and_time_stamps_it_says_what_to_give(file) -> None:
 def test_a_file_without_heading_can_have_its_time_stamps_numbered(file) -> None:
     signal = read_signal(file("0.0;1\n0.5;2\n"), time_column=1)
     assert (signal.sample_rate, signal.name, signal.values.tolist()) == (2.0, "column 2", [1.0, 2.0])
+
+
+@given(
+    st.lists(
+        st.one_of(st.floats().map(repr), st.integers().map(str), st.text("0123456789.,+-eE _\t", max_size=6)),
+        min_size=1,
+    ),
+    st.sampled_from([None, *DecimalSign]),
+)
+def test_reading_a_column_at_once_changes_nothing(cells: list[str], decimal) -> None:
+    """The fast way through a clean column gives what the slow way gives cell by cell."""
+
+    def outcome(column: list[str]) -> list[float] | str:
+        try:
+            return numbers_in(column, list(range(1, len(column) + 1)), decimal, "file").tolist()
+        except SignalFileError as error:
+            return str(error)
+
+    together = outcome(cells)
+    with_a_missing_value = outcome([*cells, "nan"])  # is not clean, so it takes the slow way
+    if isinstance(together, list):
+        assert isinstance(with_a_missing_value, list)
+        np.testing.assert_array_equal(together, with_a_missing_value[:-1])
+    else:
+        assert together == with_a_missing_value

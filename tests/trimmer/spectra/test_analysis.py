@@ -31,7 +31,6 @@ def test_each_part_of_a_signal_is_found_and_named(tmp_path: Path, signal: Signal
     assert sorted(found) == [pytest.approx(frequency, abs=0.05) for frequency in sorted(PARTS)]
     kinds = [each.explanation and type(each.explanation.origin) for _, each in sorted(found.items())]
     assert kinds == [Harmonic, Harmonic, NaturalMode, Harmonic, LimitCycleLine, None]
-    assert analysis.harmonics is not None
     expected = [PARTS.get(order * DRIVE, 0.0) for order in analysis.harmonics.orders]
     np.testing.assert_allclose(analysis.harmonics.amplitudes, expected, rtol=0, atol=1e-9)
 

@@ -85,10 +85,8 @@ def test_noise_is_the_median_of_forty_bins_on_either_side(place: int, below, abo
 
 def test_an_averaged_spectrum_keeps_what_its_signal_was_and_refuses_what_cannot_be_squared() -> None:
     values = np.random.default_rng(1).normal(size=400)
-    parts = [
-        Signal(each, RATE, converted=-2, trusted=Band(1.0, 90.0))
-        for each in (values, values[:100], values[:30])
-    ]
+    kept = {"converted": -2, "trusted": Band(1.0, 90.0)}
+    parts = [Signal(each, RATE, **kept) for each in (values, values[:100], values[:30])]
     given = averaged_spectrum(parts, 4, "blackman-harris")
     assert (given.window, given.colour, given.trusted) == (Window.BLACKMAN_HARRIS, -2, Band(1.0, 90.0))
     assert given.left_out == sum(size for size in (400, 100, 30) if size < given.segment) > 0

@@ -14,9 +14,7 @@ LINES = np.array([1e-3 * np.exp(0.4j), 2e-4j, 1e-4, -5e-5 + 1e-5j, 2e-5])
 NOISE = np.random.default_rng(0).normal(size=TIMES.size)
 
 
-def motion(
-    frequency: float, lines: np.ndarray, derivatives: int = 0, delay: float = 0.0, count: int = 1
-) -> np.ndarray:
+def motion(frequency, lines, derivatives: int = 0, delay: float = 0.0, count: int = 1) -> np.ndarray:
     omega = 2 * np.pi * frequency / count * np.arange(1, lines.size + 1)
     return ((lines * (1j * omega) ** derivatives) @ np.exp(1j * np.outer(omega, TIMES - delay))).real
 
@@ -42,14 +40,8 @@ def test_a_motion_is_aligned_with_itself(derivatives: int, delay: float) -> None
 def test_the_uncertainty_is_that_of_repeated_trials() -> None:
     rng = np.random.default_rng(1)
     clean = motion(110.0, LINES)
-    compared = [
-        compare_motions(
-            Signal(clean + 1e-4 * rng.normal(size=clean.size), RATE, "x", "m"),
-            SimulatedLines(LINES, 110.0),
-            110.0,
-        )
-        for _ in range(30)
-    ]
+    trials = [Signal(clean + 1e-4 * rng.normal(size=clean.size), RATE, "x", "m") for _ in range(30)]
+    compared = [compare_motions(each, SimulatedLines(LINES, 110.0), 110.0) for each in trials]
     scatter = np.std([abs(each.measured) for each in compared], axis=0)
     assert scatter.mean() == pytest.approx(compared[0].uncertainty, rel=0.2)
 
@@ -72,6 +64,8 @@ def test_a_sensor_that_is_mounted_the_other_way_round_is_noticed() -> None:
 
 
 def test_what_cannot_be_compared_is_refused() -> None:
+    with pytest.raises(SignalError, match=r"the record lasts 0\.004 s"):
+        compare_motions(Signal(NOISE[:20], RATE, "x", "m"), SimulatedLines(np.ones(90), 110.0), 110.0)
     with pytest.raises(SignalError, match="no line of the measurement is within 3 %"):
         compare_motions(Signal(motion(150.0, LINES[:1]), RATE, "x", "m"), SimulatedLines(LINES, 110.0))
     with pytest.raises(SignalError, match="does not tell whether it is a displacement"):
@@ -84,24 +78,11 @@ def test_what_cannot_be_compared_is_refused() -> None:
         SimulatedLines(np.array([np.nan]), 110.0)
 
 
-def test_the_drive_of_a_long_record_is_found_to_a_millionth_of_a_hertz() -> None:
-    times = np.arange(2000) / 20.0
-    signal = Signal(np.cos(2 * np.pi * 2.00437 * times + 0.4), 20.0, "x", "m")
-    assert found_frequency(signal, SimulatedLines([1.0], 2.0)) == pytest.approx(2.00437, abs=1e-6)
-
-
-def test_a_record_shorter_than_two_periods_is_refused() -> None:
-    signal = Signal(NOISE[:20], RATE, "x", "m")
-    with pytest.raises(SignalError, match=r"the record lasts 0\.004 s"):
-        compare_motions(signal, SimulatedLines(np.ones(90), 110.0), 110.0)
-
-
 def test_lines_are_compared_one_by_one() -> None:
     """3 cos x - 4 sin 2x was measured, 3 cos x + 2 cos 2x simulated."""
     measured, simulated = np.array([3.0, 4j]), np.array([3.0, 2.0])
-    both = compare_motions(
-        Signal(motion(110.0, measured), RATE, "x", "m"), SimulatedLines(simulated, 110.0), 110.0
-    )
+    signal = Signal(motion(110.0, measured), RATE, "x", "m")
+    both = compare_motions(signal, SimulatedLines(simulated, 110.0), 110.0)
     turn = np.exp(1j * np.array([1, 2]) * np.angle(both.simulated[0]))
     assert both.decibels == pytest.approx([0.0, 20.0 * np.log10(2.0)])
     assert both.frequencies.tolist() == [110.0, 220.0]
@@ -113,21 +94,17 @@ def test_lines_are_compared_one_by_one() -> None:
     shifted = simulated * np.exp(-1j * np.outer(angles, [1, 2]))
     least = np.linalg.norm(measured - shifted, axis=1).min() / 5.0
     assert both.residual == pytest.approx(least, abs=1e-6)
-    assert both.shift == pytest.approx(
-        angles[np.linalg.norm(measured - shifted, axis=1).argmin()] / (2 * np.pi * 110.0), abs=1e-6
-    )
+    angle = angles[np.linalg.norm(measured - shifted, axis=1).argmin()]
+    assert both.shift == pytest.approx(angle / (2 * np.pi * 110.0), abs=1e-6)
     inverted = np.linalg.norm(measured + shifted, axis=1).min() / 5.0
     assert both.inverted_residual == pytest.approx(inverted, abs=1e-6)
     times, curve, other = both.waveforms(4)
     assert times == pytest.approx(both.period * np.arange(4) / 4)
     assert curve == pytest.approx([3.0, 0.0, -3.0, 0.0], abs=1e-9)
-    assert other == pytest.approx(
-        (both.simulated @ np.exp(1j * np.outer([1, 2], 0.5 * np.pi * np.arange(4)))).real
-    )
-    rows = both.to_dataframe()
-    assert rows.iloc[1].tolist() == pytest.approx(
-        [220.0, 4.0, 2.0, both.decibels[1], both.phase_differences[1]]
-    )
+    quarters = np.exp(1j * np.outer([1, 2], 0.5 * np.pi * np.arange(4)))
+    assert other == pytest.approx((both.simulated @ quarters).real)
+    row = [220.0, 4.0, 2.0, both.decibels[1], both.phase_differences[1]]
+    assert both.to_dataframe().iloc[1].tolist() == pytest.approx(row)
     assert f"2 lines at 110 Hz, difference {100 * both.residual:.5g}% rms" in repr(both)
 
 
@@ -144,6 +121,8 @@ def test_no_more_lines_are_compared_than_the_measurement_shows(band, lines, coun
 
 
 def test_a_drive_is_found_within_three_percent_and_must_explain_the_motion() -> None:
+    long = Signal(np.cos(2 * np.pi * 2.00437 * np.arange(2000) / 20.0 + 0.4), 20.0, "x", "m")
+    assert found_frequency(long, SimulatedLines([1.0], 2.0)) == pytest.approx(2.00437, abs=1e-6)
     lines = np.array([1e-3, 2e-4j])
     signal = Signal(motion(100.0, 2 * lines), RATE, "x", "m")
     assert found_frequency(signal, SimulatedLines(lines, 102.9)) == pytest.approx(100.0, rel=1e-6)

@@ -25,9 +25,8 @@ def test_a_limit_cycle_is_told_by_its_multiples_and_hum_by_that_of_the_mains(bas
     labels = [None if each is None else (type(each), each.order) for each in origins]
     own = [(OwnMultiple, 1), (OwnMultiple, 3), (OwnMultiple, 2), (OwnMultiple, 5)]
     assert labels == [*own, (MainsHum, 2), (MainsHum, 3), None]
-    assert [each.label for each in origins[4:6]] == [
-        f"hum of the mains, {n} x {f} Hz" for n, f in ((2, 50), (3, 60))
-    ]
+    hum = [f"hum of the mains, {n} x {f} Hz" for n, f in ((2, 50), (3, 60))]
+    assert [each.label for each in origins[4:6]] == hum
     assert origins[1].frequency == pytest.approx(3 * base, rel=1e-5)
 
 

@@ -61,9 +61,8 @@ def test_sobol_goes_on_with_the_same_points() -> None:
 
 def test_points_are_those_of_scipy_and_lie_on_no_face() -> None:
     np.testing.assert_array_equal(Plan.SOBOL.points(4, 3, 1), stats.qmc.Sobol(3, rng=1).random(4))
-    np.testing.assert_array_equal(
-        Plan.LATIN_HYPERCUBE.points(4, 3, 1), stats.qmc.LatinHypercube(3, rng=1).random(4)
-    )
+    expected = stats.qmc.LatinHypercube(3, rng=1).random(4)
+    np.testing.assert_array_equal(Plan.LATIN_HYPERCUBE.points(4, 3, 1), expected)
     faces = within_cube(np.array([0.0, 0.3, 1.0]))
     assert faces.tolist() == [2.0**-40, 0.3, 1.0 - 2.0**-40]
     assert np.isfinite(Normal(0.0, 1.0).quantile(faces)).all()

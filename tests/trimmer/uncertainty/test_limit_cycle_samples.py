@@ -75,9 +75,8 @@ def test_what_no_trimmer_can_have_is_left_out_and_told(tmp_path) -> None:
 
 def test_existence_and_size_have_indices_apart(path) -> None:
     pytest.importorskip("SALib")
-    samples = sample_limit_cycles(
-        read_parameter_sample_file(path, GAP), SampleSettings(count=256), indices=True
-    )
+    file = read_parameter_sample_file(path, GAP)
+    samples = sample_limit_cycles(file, SampleSettings(count=256), indices=True)
     assert samples.indices["whether there is a stable limit cycle"].indices == ()
     # The amplitude is as many times larger as the gap, which scatters most.
     assert samples.indices["its amplitude"].indices[0].place == "gap"

@@ -103,26 +103,6 @@ def test_a_file_of_others_is_kept(tmp_path) -> None:
         sampled(FILE, SampleSettings(count=2), keeping=Keeping(tmp_path / "none", resume=True))
 
 
-@pytest.mark.parametrize(
-    ("change", "told"),
-    [
-        ({"number": 17}, "number is 17"),
-        ({"number": "a"}, ""),
-        ({"kind": "nonsense"}, ""),
-        ({"measures": [1.0]}, "measures has 1 entries"),
-        ({"measures": 3}, ""),
-        ({"period_count": "one"}, ""),
-    ],
-)
-def test_a_damaged_line_is_named(tmp_path, change: dict[str, object], told: str) -> None:
-    path, few = tmp_path / "samples.jsonl", SampleSettings(count=3, most_periods=60)
-    sampled(FILE, few, runner=SerialRunner(), keeping=Keeping(path))
-    header, first, *others = path.read_text().splitlines()
-    path.write_text("\n".join([header, json.dumps(json.loads(first) | change), *others]) + "\n")
-    with pytest.raises(MapFileError, match=f"line 2.*{told}"):
-        sampled(FILE, few, runner=SerialRunner(), keeping=Keeping(path, resume=True))
-
-
 def test_the_header_says_all_that_samples_depend_on(tmp_path) -> None:
     path = tmp_path / "samples.jsonl"
     found = sampled(FILE, SETTINGS, runner=SerialRunner(), keeping=Keeping(path))
@@ -132,9 +112,8 @@ def test_the_header_says_all_that_samples_depend_on(tmp_path) -> None:
     content = {key: header[key] for key in ("mechanism", "places", "settings", "asked")}
     told = json.dumps(content, sort_keys=True).encode() + found.inputs.values.tobytes()
     assert header["inputs"] == hashlib.sha256(told).hexdigest()
-    np.testing.assert_array_equal(
-        found.inputs.values, FILE.uncertainty.values(Plan.LATIN_HYPERCUBE.points(10, 2, 4))
-    )
+    values = FILE.uncertainty.values(Plan.LATIN_HYPERCUBE.points(10, 2, 4))
+    np.testing.assert_array_equal(found.inputs.values, values)
 
 
 class Once:
@@ -151,11 +130,8 @@ class Once:
 
 def test_what_is_kept_is_not_done_again_unless_it_is_replaced(samples, tmp_path) -> None:
     path = tmp_path / "samples.jsonl"
-    for keeping, done in (
-        (Keeping(path), 10),
-        (Keeping(path, resume=True), 0),
-        (Keeping(path, overwrite=True), 10),
-    ):
+    resumed, replaced = Keeping(path, resume=True), Keeping(path, overwrite=True)
+    for keeping, done in ((Keeping(path), 10), (resumed, 0), (replaced, 10)):
         runner = Once()
         assert sampled(FILE, SETTINGS, runner=runner, keeping=keeping).trials == samples.trials
         assert runner.done == done
@@ -214,9 +190,8 @@ def test_without_a_drive_there_are_none() -> None:
 
 def test_indices_find_what_matters() -> None:
     pytest.importorskip("SALib")
-    study = study_samples(
-        FILE, SampleSettings(count=16, most_periods=60), indices=True, runner=SerialRunner()
-    )
+    settings = SampleSettings(count=16, most_periods=60)
+    study = study_samples(FILE, settings, indices=True, runner=SerialRunner())
     by_name = {quantity.name: found for quantity, found in study.indices.items()}
     assert by_name["peak to peak of x"].indices[0].place == "stops.stop.gap"
     assert by_name["whether the motion repeats with the drive"].blocks == 16

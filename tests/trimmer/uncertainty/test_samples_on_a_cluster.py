@@ -30,9 +30,7 @@ def cluster(folder: Path) -> Iterator[tuple[str, int]]:
     ]
     with (folder / "log").open("w") as log:
         programs = [
-            subprocess.Popen(
-                [sys.executable, "-m", "dask", *words], stdout=log, stderr=log, cwd=folder, env=os.environ
-            )
+            subprocess.Popen([sys.executable, "-m", "dask", *words], stdout=log, stderr=log, cwd=folder)
             for words in commands
         ]
     try:
@@ -58,9 +56,7 @@ def kill_once_begun(output: Path, process: int) -> None:
 
 
 @pytest.mark.slow
-def test_samples_go_on_after_the_scheduler_was_killed(
-    project_folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_samples_go_on_after_the_scheduler_was_killed(project_folder, tmp_path, capsys) -> None:
     file, output = str(project_folder / "examples" / "scatter.toml"), tmp_path / "samples.jsonl"
     words = ["sample", file, "--count", "400", "--periods", "60", "--json"]
     # Dask's workers have one thread for linear algebra, and the last digit depends on their number.
