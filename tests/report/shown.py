@@ -63,9 +63,7 @@ def texts(known: Evidence, findings: Mapping[str, Finding]) -> Mapping[str, str]
         **{f"{row.claim}, {row.quantity}": row for row in first.corrected},
     }
     chapters = {
-        f"findings-{chapter}": headed(
-            {name: each for name, each in findings.items() if each.section[0] == chapter}
-        )
+        f"findings-{chapter}": headed({n: each for n, each in findings.items() if each.section[0] == chapter})
         for chapter in sorted({each.section[0] for each in findings.values()})
     }
     others = {"steps": headed(steps), "overview": headed(pages), "twin": observed(SECTIONS, known)}

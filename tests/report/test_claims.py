@@ -53,9 +53,7 @@ def test_severity_and_certainty_are_the_reviewed_ones(findings):
 
 def test_each_part_has_its_reviewed_verdict(findings):
     """The verdict of a claim is the worst of its parts and says nothing of the others."""
-    verdicts = {
-        claim_id: [part.verdict.value for part in finding.parts] for claim_id, finding in findings.items()
-    }
+    verdicts = {name: [part.verdict.value for part in each.parts] for name, each in findings.items()}
     counted = {
         claim_id: "; ".join(f"{len(list(group))} {verdict}" for verdict, group in groupby(listed))
         for claim_id, listed in verdicts.items()

@@ -74,15 +74,10 @@ def document(folder: Path, tmp_path: Path) -> Document:
 def test_a_text_of_ones_own_is_judged(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["judge", "mine", "--format", "html", "json", "--quiet"]) == 0
     claims = json.loads((tmp_path / "build/judge/claims.json").read_text("utf-8"))["claims"]
-    assert [(each["id"], each["verdict"]) for each in claims] == [
-        ("eq-1", "reproduced"),
-        ("fig-1", "erratum"),
-    ]
+    assert [(c["id"], c["verdict"]) for c in claims] == [("eq-1", "reproduced"), ("fig-1", "erratum")]
     assert claims[0]["source"] == "claims.py" and "confirmed by the exact orbit" in claims[0]["method"]
     page = (tmp_path / "build/judge/report.html").read_text("utf-8")
-    assert all(
-        words in page for words in ("Sums &amp; &lt;b&gt;more", "Paper, our wording", "known, second=")
-    )
+    assert all(each in page for each in ("Sums &amp; &lt;b&gt;more", "Paper, our wording", "known, second="))
     assert main(["judge", "mine", "--format", "json", "--compare", "build/judge/claims.json", "--quiet"]) == 0
 
 
@@ -154,9 +149,7 @@ REFUSED = [
 
 
 @pytest.mark.parametrize(("name", "old", "new", "sentence"), REFUSED, ids=[each[3][:50] for each in REFUSED])
-def test_what_is_wrong_in_a_folder_is_told(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str, old: str | None, new: str, sentence: str
-) -> None:
+def test_what_is_wrong_in_a_folder_is_told(tmp_path, capsys, name, old, new, sentence) -> None:
     for picture, stored in PICTURES.items():
         (tmp_path / "mine" / picture).write_bytes(stored)
     file = tmp_path / "mine" / name

@@ -1,11 +1,15 @@
-"""Tasks are done once, in several processes, and done again when their key changes."""
+"""Tasks are done once, in several processes, and again when keys change; results, errors, an early end."""
 
+import multiprocessing
 import os
+import signal
+import time
 from functools import partial
 from pathlib import Path
 
 import pytest
 
+from report.building.background import BackgroundError, run
 from report.building.progress import Progress
 from report.building.tasks import BuildTask, done
 from report.cache.stage_store import StageStore
@@ -25,9 +29,7 @@ def tasks(key: str, *numbers: int) -> list[BuildTask]:
 
 def test_results_come_by_name_from_other_processes(tmp_path: Path) -> None:
     results = done(tasks("a", 1, 2, 3, 4), StageStore(tmp_path), Progress())
-    assert {name: value for name, (value, _) in results.items()} == {
-        f"square-{number}": number**2 for number in (1, 2, 3, 4)
-    }
+    assert {name: value for name, (value, _) in results.items()} == {f"square-{n}": n**2 for n in range(1, 5)}
     assert os.getpid() not in {process for _, process in results.values()}
 
 
@@ -57,3 +59,44 @@ def test_the_log_has_the_time_of_each_task(tmp_path: Path) -> None:
         ("print", "other"),
     }
     assert all(name in progress.log() for name in ("sum", "square-3", "other"))
+
+
+needs_forks = pytest.mark.skipif(
+    "fork" not in multiprocessing.get_all_start_methods(), reason="the work is done in this process"
+)
+
+
+def test_every_result_comes_with_its_place():
+    found = {done.index: done.result for done in run([partial(pow, 2, n) for n in range(5)])}
+    assert found == {0: 1, 1: 2, 2: 4, 3: 8, 4: 16}
+    assert list(run([])) == []
+
+
+@needs_forks
+def test_the_work_is_done_in_another_process():
+    assert [done.result for done in run([os.getpid])] != [os.getpid()]
+
+
+@needs_forks
+@pytest.mark.skipif(os.cpu_count() == 1, reason="one core, one process")
+def test_no_process_waits_for_the_job_of_another():
+    """Results larger than a pipe's buffer once made a process wait until all jobs of the other were done."""
+    results = run([partial(time.sleep, 2), *[partial(bytes, 1_000_000)] * 4])
+    assert [len(next(results).result) for _ in range(4)] == [1_000_000] * 4
+    results.close()
+
+
+def test_an_error_is_raised():
+    with pytest.raises(ArithmeticError, match="on purpose"):
+        list(run([partial(pow, 2, 3), fail, partial(pow, 2, 4)]))
+
+
+@needs_forks
+def test_an_early_end_is_reported():
+    with pytest.raises(BackgroundError, match="ended early"):
+        list(run([partial(signal.raise_signal, signal.SIGKILL)]))
+
+
+def test_the_time_of_a_job_is_returned():
+    (done,) = run([partial(time.sleep, 0.05)])
+    assert done.seconds >= 0.05

@@ -20,8 +20,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
 
 from report.cache.stage_store import Bounds, StageStore
-from trimmer import Body, FrictionBacklash, Relay, TrimmerParameters, periodic_orbits, pin_model, simulate
-from trimmer.loops import ClosedLoop
+from trimmer import Body, FrictionBacklash, TrimmerParameters, periodic_orbits, pin_model
 
 RESULT = {"answer": [1, 2.5, "text"], "array": np.arange(4.0), "body": Body(1.0)}
 
@@ -94,9 +93,7 @@ HOSTILE = {
 
 
 @pytest.mark.parametrize("entries", HOSTILE.values(), ids=HOSTILE)
-def test_what_somebody_wrote_there_is_not_run(
-    entries: list[Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_what_somebody_wrote_there_is_not_run(entries: list[Any], tmp_path, monkeypatch, capsys) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "stage.data").write_bytes(signed(entries))
     assert StageStore(tmp_path).made("stage", "a", lambda: "own") == "own"
@@ -107,12 +104,8 @@ def test_what_somebody_wrote_there_is_not_run(
 def test_a_pickle_is_not_read(tmp_path: Path) -> None:
     Runs.folder = tmp_path / "ran"
     content = pickle.dumps(("a", Runs()))
-    for name, bytes_ in (
-        ("stage.pickle", content),
-        ("stage.data", content),
-        ("other.data", b"a\n" + content),
-    ):
-        (tmp_path / name).write_bytes(bytes_)
+    for name, each in (("stage.pickle", content), ("stage.data", content), ("x.data", b"a\n" + content)):
+        (tmp_path / name).write_bytes(each)
     store = StageStore(tmp_path)
     assert store.load("stage", "a") is None
     assert store.load("other", "a") is None
@@ -217,9 +210,6 @@ def test_beyond_a_size_what_was_not_used_for_longest_goes_but_nothing_of_today(t
     assert {path.stem for path in tmp_path.iterdir()} == {"older", "today", "now"}
     store.clear_old(Bounds(size=10))
     assert {path.stem for path in tmp_path.iterdir()} == {"today", "now"}
-
-
-def test_nothing_is_cleared_where_there_is_nothing(tmp_path: Path) -> None:
     StageStore(tmp_path / "none").clear_old()
     assert not (tmp_path / "none").exists()
 
@@ -243,19 +233,6 @@ def test_terms_read_back_in_their_order(tmp_path: Path) -> None:
     (read,) = StageStore(tmp_path).load("stage", "a")
     assert sympy.latex(read, order="none") == sympy.latex(expression, order="none")
     assert [term.args for term in read.args] == [term.args for term in expression.args]
-
-
-def test_a_motion_of_a_loop_is_kept_with_the_modes_it_went_through(tmp_path: Path) -> None:
-    loop = ClosedLoop(control.ss([[-1.0, -50.0], [1.0, 0.0]], [[1.0], [0.0]], [[0.0, 40.0]], 0.0), Relay(1.0))
-    motion = simulate(loop, 1.0, impulse=1.0)
-    assert len({event.mode for event in motion.events}) == 2
-    motion.output(0.5)  # what is stored by the way is not kept
-    store = StageStore(tmp_path)
-    store.keep("motion", "a", motion)
-    again = store.load("motion", "a")
-    times = np.linspace(0.0, 1.0, 57)
-    np.testing.assert_array_equal(again.output(times), motion.output(times))
-    np.testing.assert_array_equal(again.log.mode, motion.log.mode)
 
 
 def test_an_orbit_of_a_loop_is_kept_with_the_modes_it_goes_through(tmp_path: Path) -> None:

@@ -69,9 +69,7 @@ def test_a_frequency_that_friction_leaves_would_be_noticed(evidence, inventory, 
     assert verdicts(claim, inventory) == [Verdict.REPRODUCED, Verdict.REPRODUCED]
 
 
-@pytest.mark.parametrize(
-    "confirm", [confirm_friction, lambda evidence: confirm_play(evidence, EXPERIMENT_GAP)]
-)
+@pytest.mark.parametrize("confirm", [confirm_friction, lambda known: confirm_play(known, EXPERIMENT_GAP)])
 def test_a_wrong_harmonic_of_a_run_would_be_noticed(confirm, evidence):
     assert confirm(evidence).comparison.compare().agrees
     driven = evidence.motion.driven

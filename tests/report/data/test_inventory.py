@@ -1,4 +1,4 @@
-"""The inventory of statements, and that claims keep to it."""
+"""The inventory of statements and the sections they stand in, and that claims keep to it."""
 
 import re
 from collections import Counter
@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from report.building.collect import ClaimIdError, by_id, collect
-from report.data.statements import FURTHER, PATH, read_inventory
+from report.data.statements import FURTHER, PATH, ThesisSection, read_inventory, read_sections
+from report.judging.claim import Kind
 from report.judging.inventory import InventoryError, filed, read_statements
 from report.judging.record import ClaimRecord
 from report.judging.verdict import Certainty, Impact, Severity
@@ -34,25 +35,19 @@ def test_further_statements_follow_those_handed_over():
     assert {entry.chapter for entry in further.values()} <= {entry.chapter for entry in handed_over.values()}
 
 
-def test_a_further_statement_may_not_repeat_an_id(tmp_path):
-    path = tmp_path / "further.csv"
-    path.write_text("id,kind,section,subject\neq-2.1,equation,2.2.1,a\n", encoding="utf-8")
-    with pytest.raises(InventoryError, match=r"further\.csv, line 2: the id eq-2\.1 stands there twice"):
-        read_statements(PATH, path)
-
-
 @pytest.mark.parametrize(
     ("rows", "message"),
     [
         ("eq-1,equation,1,a\neq-1,equation,1,b\n", r"line 3: the id eq-1 stands there twice"),
+        ("eq-2.1,equation,2.2.1,a\n", r"line 2: the id eq-2\.1 stands there twice"),
         ("eq-1,poem,1,a\n", r"line 2: unknown kind 'poem'"),
     ],
 )
 def test_faults_are_named_by_line(tmp_path, rows, message):
     path = tmp_path / "inventory.csv"
     path.write_text("id,kind,section,subject\n" + rows, encoding="utf-8")
-    with pytest.raises(InventoryError, match=message):
-        read_statements(path)
+    with pytest.raises(InventoryError, match=rf"inventory\.csv, {message}"):
+        read_statements(PATH, path)
 
 
 ASCII_MATHEMATICS = re.compile(
@@ -116,3 +111,31 @@ def test_a_statement_without_a_record_is_an_error():
     inventory = read_inventory()
     with pytest.raises(ClaimIdError, match=r"^txt-trial: in the inventory, but without a record"):
         collect({**inventory, "txt-trial": inventory["eq-2.1"]})
+
+
+@pytest.fixture(scope="module")
+def sections() -> tuple[ThesisSection, ...]:
+    return read_sections()
+
+
+def test_every_section_of_the_inventory_has_a_title(sections, inventory) -> None:
+    numbers = Counter(section.number for section in sections)
+    assert set(numbers.values()) == {1}
+    assert {entry.section for entry in inventory.values() if "." in entry.section} <= set(numbers)
+    assert all(section.title for section in sections)
+
+
+def test_every_figure_stands_in_one_section_of_its_chapter(sections, inventory) -> None:
+    placed = {figure: section for section in sections for figure in section.figures}
+    figures = {id: each for id, each in inventory.items() if each.kind is Kind.FIGURE}
+    numbered = {id: each for id, each in figures.items() if each.chapter.isdigit()}
+    assert set(placed) == set(numbered)
+    assert sum(len(section.figures) for section in sections) == len(placed)
+    for id, entry in numbered.items():
+        assert f"{placed[id].number}.".startswith(f"{entry.section}."), id
+
+
+def test_figures_are_numbered_in_the_order_of_the_sections(sections: tuple[ThesisSection, ...]) -> None:
+    figures = [figure for section in sections for figure in section.figures]
+    numbers = [[int(part) for part in figure[4:].split(".")] for figure in figures]
+    assert numbers == sorted(numbers)

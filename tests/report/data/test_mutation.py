@@ -51,12 +51,6 @@ def test_what_does_not_add_up_is_refused(tmp_path: Path, changes: dict[str, obje
         read_mutation(written(tmp_path, **changes))
 
 
-def test_one_change_has_and_several_have_no_effect(tmp_path: Path) -> None:
-    changed = {"drawn": 141, "equivalent": 1}
-    known = replace(sample(), mutation=read_mutation(written(tmp_path, **changed)))
-    assert "1 of these changes has no effect" in " ".join(to_markdown(known)["method"].split())
-
-
 def test_the_method_tells_date_command_counts_and_interval(tmp_path: Path) -> None:
     document = sample()
     assert "slip of this program" not in to_markdown(document)["method"]

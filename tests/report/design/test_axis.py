@@ -1,8 +1,10 @@
-"""What the report says of an axis that hunts, and of one that rests."""
+"""What the report says of an axis that hunts, of one that rests, and of a machine that switches."""
 
 import math
 import re
+from pathlib import Path
 
+import numpy as np
 import pytest
 
 from report.design.axis import loop_rows, loop_sentence
@@ -11,6 +13,7 @@ from report.design.origin import origin_of
 from report.design.pictures import pictures
 from report.design.report import DesignReport
 from tests.quick import quick
+from tests.report.markdown_lines import markdown_lines
 from tests.trimmer.design.test_axis import AXIS
 from tests.trimmer.servos import SAMPLED, STICTION
 from trimmer import Mechanism, SerialRunner
@@ -103,11 +106,7 @@ OTHER = LAW.replace("axis", "other")
     ("beside", "rows", "words"),
     [
         ("", ["axis"], "are exact, from sample to sample, and opened at what is demanded at a sample."),
-        (
-            re.sub("sample.*|delay.*", "", OTHER),
-            ["other", "axis"],
-            "are taken while axis holds what was given last.",
-        ),
+        (re.sub("sample.*|delay.*", "", OTHER), ["other", "axis"], "while axis holds what was given last."),
         (
             OTHER.replace("0.001", "0.002"),
             [],
@@ -128,3 +127,25 @@ def test_what_is_unstable_is_not_said_to_stay_so() -> None:
     (state,) = linear_states(mechanism)
     (row,) = loop_rows(state, mechanism)[1:]
     assert row[1].startswith("limit at 0.") and row[4].startswith("grows by e in")
+
+
+CONTACTOR = Path(__file__).parents[3] / "examples" / "contactor.toml"
+
+
+def test_a_contactor_that_stays_closed_holds_what_its_coil_pulls() -> None:
+    kept_on = CONTACTOR.read_text("utf-8").replace(', ["60 ms", 25.0], ["62 ms", 0.0]]', "]")
+    file = design_file_of_text(kept_on[: kept_on.index("[targets]")], "contactor.toml")
+    design = Study(file, DesignSettings(cells=2), SerialRunner()).short()
+    stiffness = np.array([[600 + 1500 + 1e6, -1500], [-1500, 1500 + 5e5]])
+    armature, bridge = np.linalg.solve(stiffness, [25 - 6 - 4 + 1e6 * 3e-3, 4 + 5e5 * 2e-3])
+    forces = {
+        "return spring": 600 * armature,
+        "contact spring": 1500 * (bridge - armature),
+        "backstop": 0.0,
+        "shoulder": 0.0,
+        "core": 1e6 * (armature - 3e-3),
+        "contact": 5e5 * (bridge - 2e-3),
+    }
+    rows = [part for name, force in forces.items() for part in (name, f"{force:.3g} N".replace("-", "−"))]
+    report = DesignReport("Contactor", {}, origin_of([file], "2026-01-01"), design, None)
+    assert " | ".join(["", "Part", "Force at rest", *rows]) + "\n" in markdown_lines(to_markdown(report))

@@ -8,14 +8,12 @@ import io
 import multiprocessing
 import re
 import signal
-from argparse import ArgumentParser
 from importlib.metadata import EntryPoint
 from pathlib import Path
 
 import pytest
 
 from report.cache.stage_store import StageStore
-from report.design import command
 from report.design.building import CACHE, keeper_of, looked_at
 from trimmer import SerialRunner
 from trimmer.command_line import main as command_line
@@ -24,16 +22,9 @@ from trimmer.design import DesignSettings, read_design_file, settings
 from trimmer.examples import examples
 
 TINY = DesignSettings(
-    starts=1,
-    cells=3,
-    cell_periods=40,
-    neighbours=3,
-    grid=1,
-    trials=2,
-    most_points=8,
-    range_points=3,
-    most_periods=100,
-)
+    starts=1, cells=3, cell_periods=40, neighbours=3, grid=1,
+    trials=2, most_points=8, range_points=3, most_periods=100,
+)  # fmt: skip
 SMALL = """
 title = "Block on a floor"
 frequency = "20 Hz"
@@ -48,6 +39,9 @@ floor = { between = ["ground", "block"], force = 2.0 }
 [outputs]
 stroke = { block = 1 }
 """
+
+
+LOGGED = ["design", "block.toml", "--jobs", "1", "--format", "html", "--directory", "out"]
 
 
 @pytest.fixture(autouse=True)
@@ -82,32 +76,23 @@ def test_a_file_to_start_from_is_written_once(folder: Path, capsys: pytest.Captu
 
 
 @pytest.mark.slow
-def test_a_design_is_written_whole_and_again_from_what_is_kept(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_design_is_written_whole_and_again_from_what_is_kept(folder: Path, capsys) -> None:
     assert main(["design", "block.toml", "--jobs", "1", "--directory", "out"]) == 0
     first = (folder / "out" / "block.html").read_text()
     assert (folder / "out" / "block.pdf").read_bytes().startswith(b"%PDF-")
     told = capsys.readouterr()
     assert "The file names no targets" in told.out
     assert "branch over the gap of fork" in told.err
-    assert main(["design", "block.toml", "--jobs", "1", "--directory", "out", "--format", "html"]) == 0
+    assert main(LOGGED) == 0
     assert (folder / "out" / "block.html").read_text() == first
     assert "branch over the gap of fork: kept" in capsys.readouterr().err
-    assert {path.name for path in (folder / "out").iterdir()} == {
-        CACHE,
-        "block.html",
-        "block.log",
-        "block.pdf",
-    }
+    left = {path.name for path in (folder / "out").iterdir()}
+    assert left == {CACHE, "block.html", "block.log", "block.pdf"}
 
 
 def test_a_comparison_says_what_changed(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "tight.toml").write_text(SMALL.replace("0.1 mm", "50 um"))
-    assert (
-        main(["compare", "block.toml", "tight.toml", "--jobs", "1", "--format", "html", "--directory", "out"])
-        == 0
-    )
+    assert main(["compare", "block.toml", "tight.toml", *LOGGED[2:]]) == 0
     page = (folder / "out" / "block-tight.html").read_text().replace("\N{NO-BREAK SPACE}", " ")
     for words in ("Gap of fork", "100 µm", "50 µm", "−50 %", "Impact speed in fork"):
         assert words in page
@@ -127,30 +112,9 @@ def test_a_comparison_says_what_changed(folder: Path, capsys: pytest.CaptureFixt
         (["init", "block.toml"], "block.toml is there already"),
     ],
 )
-def test_wrong_use_is_told_in_a_sentence(
-    folder: Path, capsys: pytest.CaptureFixture[str], arguments: list[str], told: str
-) -> None:
+def test_wrong_use_is_told_in_a_sentence(folder: Path, capsys, arguments: list[str], told: str) -> None:
     assert main(arguments) == 2
     assert told in capsys.readouterr().err
-
-
-def test_a_file_of_another_kind_is_not_replaced(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    (folder / "out").mkdir()
-    (folder / "out" / "block.html").write_text("notes")
-    assert main(["design", "block.toml", "--directory", "out"]) == 2
-    assert "is there already and is no HTML page" in capsys.readouterr().err
-    assert (folder / "out" / "block.html").read_text() == "notes"
-    assert not (folder / "out" / CACHE).exists()
-
-
-def test_a_folder_that_cannot_be_made_is_told_before_any_work(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    (folder / "taken").write_text("notes")
-    assert main(["design", "block.toml", "--directory", "taken"]) == 2
-    told = capsys.readouterr().err
-    assert "taken/block.html cannot be written: a file stands where its folder would be" in told
-    assert "motions from several starts" not in told
 
 
 @pytest.mark.parametrize(
@@ -165,24 +129,29 @@ def test_a_folder_that_cannot_be_made_is_told_before_any_work(
     ],
 )
 @pytest.mark.parametrize("files", [["design", "block.toml"], ["compare", "block.toml", "block.toml"]])
-def test_a_time_that_is_none_is_refused(
-    files: list[str], time: str, told: str, folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_time_that_is_none_is_refused(files: list[str], time: str, told: str, folder: Path, capsys) -> None:
     with pytest.raises(SystemExit):
         main([*files, "--budget", time])
     assert told in capsys.readouterr().err
     assert not (folder / "build").exists()
 
 
-LOGGED = ["design", "block.toml", "--jobs", "1", "--format", "html", "--directory", "out"]
-
-
-def test_notes_of_somebody_are_no_log(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    log = folder / "out" / "block.log"
-    log.parent.mkdir()
-    log.write_text("my own notes")
+@pytest.mark.parametrize(
+    ("there", "told"),
+    [
+        ("block.html", "is there already and is no HTML page"),
+        ("block.log", "block.log is there already and is no log of a design"),
+        ("", "out/block.html cannot be written: a file stands where its folder would be"),
+    ],
+)
+def test_what_somebody_else_wrote_is_kept_and_told_before_any_work(folder, capsys, there, told) -> None:
+    path = folder / "out" / there
+    path.parent.mkdir(exist_ok=True)
+    path.write_text("notes")
     assert main(LOGGED) == 2
-    assert "block.log is there already and is no log of a design" in capsys.readouterr().err
+    err = capsys.readouterr().err
+    assert told in err and "motions from several starts" not in err
+    assert path.read_text() == "notes" and not (folder / "out" / CACHE).exists()
 
 
 @pytest.mark.slow
@@ -209,17 +178,14 @@ class Interrupting(io.StringIO):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("words", ["motions of neighbours", "equations, pictures and pages"])
-def test_an_interrupted_design_leaves_nothing_half_written_and_goes_on(
-    words: str, folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    arguments = ["design", "block.toml", "--jobs", "1", "--format", "html", "--directory", "out"]
+def test_an_interrupted_design_leaves_nothing_half_written_and_goes_on(words, folder, capsys) -> None:
     told = Interrupting(words)
     with contextlib.redirect_stderr(told):
-        assert main(arguments) == 130
+        assert main(LOGGED) == 130
     assert "what is done is kept in out/.kept" in told.getvalue()
     assert {path.name for path in (folder / "out").iterdir()} == {CACHE, "block.log"}
     assert not list((folder / "out" / CACHE).glob("*.part"))
-    assert main(arguments) == 0
+    assert main(LOGGED) == 0
     assert "motions from several starts: kept" in capsys.readouterr().err
 
 
@@ -242,21 +208,11 @@ def test_two_runs_in_one_folder_do_not_spoil_each_other(folder: Path) -> None:
     for path in paths[1:]:
         file = read_design_file(path)
         together = looked_at(file, TINY, SerialRunner(), StageStore(kept), lambda *_: None)
-        alone = looked_at(
-            file, TINY, SerialRunner(), StageStore(folder / "alone" / path.stem), lambda *_: None
-        )
+        store = StageStore(folder / "alone" / path.stem)
+        alone = looked_at(file, TINY, SerialRunner(), store, lambda *_: None)
         assert [each.result.cells for each in together.maps] == [each.result.cells for each in alone.maps]
         assert together.motion.outputs["stroke"].peak_to_peak == alone.motion.outputs["stroke"].peak_to_peak
         assert keeper_of(file, StageStore(kept)).depends == keeper_of(file, StageStore(folder)).depends
-
-
-def test_help_names_each_option() -> None:
-    parser = ArgumentParser()
-    command.COMMAND.configure(parser)
-    told = parser.format_help()
-    assert all(
-        option in told for option in ("--full", "--directory", "--format", "--paper", "--jobs", "--open")
-    )
 
 
 @pytest.mark.parametrize(
@@ -266,9 +222,7 @@ def test_help_names_each_option() -> None:
         ("force = 2.0", 'force = 2.0, symbol = "k_1"', "the symbol k_1 is taken twice"),
     ],
 )
-def test_symbols_that_print_the_same_are_told_before_any_work(
-    old: str, new: str, told: str, folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_symbols_that_print_the_same_are_told_before_any_work(old, new, told, folder, capsys) -> None:
     text = SMALL.replace("stiffness = 20e3", 'stiffness = 20e3, symbol = "k_1"').replace(old, new)
     (folder / "block.toml").write_text(text)
     assert main(["design", "block.toml", "--directory", "out"]) == 2

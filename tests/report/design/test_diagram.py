@@ -69,9 +69,7 @@ def test_each_part_of_random_machines_that_runs_through_a_body_is_told(seed: int
     ],
     ids=["four, each with each", "five", "three with three", "one spring fewer"],
 )
-def test_a_part_runs_through_a_body_where_no_drawing_can_do_without(
-    pairs: list[tuple[str, str]], planar: bool
-) -> None:
+def test_a_part_runs_through_a_body_where_no_drawing_can_do_without(pairs, planar) -> None:
     """Kuratowski: five bodies each joined with each, or three with three, cannot be drawn in a plane."""
     assert (not linked(pairs).crossings) == planar
 

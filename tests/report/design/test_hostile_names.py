@@ -212,9 +212,7 @@ def server() -> Iterator[HTTPServer]:
 
 @pytest.mark.browser
 @pytest.mark.parametrize("stopped", quick([True, False], 0))
-def test_the_policy_of_a_page_stops_what_is_smuggled_into_it(
-    browser: Browser, tmp_path: Path, server: HTTPServer, stopped: bool
-) -> None:
+def test_the_policy_of_a_page_stops_what_is_smuggled_into_it(browser, tmp_path, server, stopped) -> None:
     """If escaping failed, the page would still ask for nothing and run nothing but its own scripts."""
     smuggled = "".join(SMUGGLED).replace("SERVER", f"http://127.0.0.1:{server.server_port}")
     document = Small("Mine", "", Origin("2026-03-01", (), provenance()), {})
@@ -289,9 +287,7 @@ def acting(html: str) -> list[str]:
 @pytest.mark.slow
 @settings(max_examples=5, deadline=None, phases=[Phase.generate])
 @given(st.lists(NAMES.filter(bool), min_size=9, max_size=9, unique_by=str.casefold), NAMES)
-def test_a_whole_report_is_made_whatever_names_are(
-    tmp_path_factory: pytest.TempPathFactory, names: list[str], title: str
-) -> None:
+def test_a_whole_report_is_made_whatever_names_are(tmp_path_factory, names: list[str], title: str) -> None:
     files = made([each if each != "ground" else "g" for each in names], title, tmp_path_factory.mktemp("d"))
     assert acting(files[Format.HTML].read_text()) == []
 

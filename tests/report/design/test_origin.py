@@ -8,13 +8,12 @@ import pytest
 from report.cache.stage_store import StageStore
 from report.design.building import files_of, report_on
 from report.design.origin import origin_of, today
-from report.design.report import DesignReport
 from report.design.tables import provenance_rows
 from report.pages.formats import Format, Paper
 from tests.report.design.conftest import TEXT
 from trimmer import MechanismError
 from trimmer.command_line.main import main
-from trimmer.design import Design, read_design_file
+from trimmer.design import read_design_file
 from trimmer.design.design_file import design_file_of_text
 
 BOTH = frozenset({Format.HTML, Format.PDF})
@@ -50,13 +49,7 @@ def test_source_date_epoch_is_the_date(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("command", ["design", "compare"])
 @pytest.mark.parametrize("given", ["yesterday", "-1", "1e9", "9" * 30, "٣"])
-def test_a_wrong_date_is_told_before_any_work(
-    command: str,
-    given: str,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_a_wrong_date_is_told_before_any_work(command, given, tmp_path, monkeypatch, capsys) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("SOURCE_DATE_EPOCH", given)
     (tmp_path / "a.toml").write_text(TEXT)
@@ -66,9 +59,7 @@ def test_a_wrong_date_is_told_before_any_work(
 
 
 @pytest.mark.slow
-def test_the_same_input_on_the_same_day_gives_the_same_bytes(
-    design: Design, report: DesignReport, store: StageStore, tmp_path: Path
-) -> None:
+def test_the_same_input_on_the_same_day_gives_the_same_bytes(design, report, store, tmp_path) -> None:
     again = report_on(design, StageStore(tmp_path), "2026-03-01")
     first, second, other = (
         files_of(each, BOTH, Paper.A4) for each in (report, again, report_on(design, store, "2026-03-02"))

@@ -39,9 +39,6 @@ def test_digits_are_kept_and_no_more() -> None:
     assert written(1.23e-7) == "1.23 · 10^-7".replace("-", "−")
     assert written(1e9) == "1 · 10^9"
     assert percent(0.12345) == "12 %"
-
-
-def test_what_is_no_finite_number_is_written_too() -> None:
     assert [written(each) for each in (float("inf"), -float("inf"), float("nan"))] == ["∞", "−∞", "unknown"]
 
 

@@ -4,10 +4,9 @@ import json
 import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack
-from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Page, expect
 
 from report.design.report import DesignReport
 from report.design.tables import target_rows
@@ -19,9 +18,7 @@ MOST_BYTES = 2_000_000
 
 
 @pytest.fixture
-def visit(
-    browser: Browser, files: Mapping[Format, str | bytes], tmp_path: Path
-) -> Iterator[Callable[..., Visit]]:
+def visit(browser, files: Mapping[Format, str | bytes], tmp_path) -> Iterator[Callable[..., Visit]]:
     path = tmp_path / "desk.html"
     content = files[Format.HTML]
     assert isinstance(content, str)
@@ -48,9 +45,7 @@ def move(page: Page, number: int, value: float) -> None:
     )
 
 
-def test_the_first_view_is_the_file_with_the_values_of_the_verdict(
-    visit: Callable[..., Visit], report: DesignReport
-) -> None:
+def test_the_first_view_is_the_file_with_the_values_of_the_verdict(visit, report) -> None:
     visited = visit()
     shown = told(visited.page)
     assert "Shown is the motion solved for: " in shown
@@ -61,12 +56,8 @@ def test_the_first_view_is_the_file_with_the_values_of_the_verdict(
     assert visited.complaints == []
 
 
-def test_between_solved_motions_the_nearest_is_shown_and_said_so(
-    visit: Callable[..., Visit], report: DesignReport
-) -> None:
+def test_between_solved_motions_the_nearest_is_shown_and_said_so(visit, report) -> None:
     page, grid, sliders = visit().page, report.design.grid, report.explorable
-    assert grid is not None
-    assert sliders is not None
     values, slider = grid.values[0], sliders.sliders[0]
     before = page.locator(".explorable svg svg path.load").first.get_attribute("d")
     move(page, 0, 0.3 * values[-2] + 0.7 * values[-1])
@@ -95,8 +86,6 @@ def test_they_are_legible_on_a_phone(visit: Callable[..., Visit], scheme: Scheme
 
 def test_the_table_is_small_and_whole(report: DesignReport) -> None:
     sliders, grid = report.explorable, report.design.grid
-    assert sliders is not None
-    assert grid is not None
     table = json.loads(re.sub(r"^const solvedMotions = |;\n$", "", sliders.script))
     assert len(table["motions"]) == len(grid.motions)
     of_each = len(sliders.script) / len(grid.motions)

@@ -94,9 +94,7 @@ def _renew(evidence: Evidence) -> None:
     drawn = {name: record.draw(evidence) for name, record in FIGURES.items()}
     for figure in drawn.values():
         letter_panels(figure)
-    KEPT.write_text(
-        "".join("\n".join([f"== {name}", *told(each), ""]) for name, each in drawn.items()), "utf-8"
-    )
+    KEPT.write_text("".join("\n".join([f"== {n}", *told(each), ""]) for n, each in drawn.items()), "utf-8")
 
 
 if __name__ == "__main__":

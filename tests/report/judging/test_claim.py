@@ -1,4 +1,4 @@
-"""Judging: verdicts, slips, confirmations, with a comparison of plain numbers."""
+"""Judging: verdicts, slips, confirmations, with a comparison of plain numbers; what counts once."""
 
 from dataclasses import replace
 
@@ -7,9 +7,11 @@ import pytest
 from report.judging.claim import Claim, ClaimPart, Confirmation, CopyFault, Kind, Slip, Statement, Uncheckable
 from report.judging.comparisons.assertion import Assertion
 from report.judging.comparisons.digits import PrintedDigits
+from report.judging.finding import Finding, JudgedPart
+from report.judging.items import items
 from report.judging.judge import ContradictionError, UngradedError, judge
-from report.judging.shown import Words
-from report.judging.verdict import Certainty, Severity, Verdict
+from report.judging.shown import Number, Words
+from report.judging.verdict import Certainty, Impact, Severity, Verdict
 
 ENTRY = Statement("eq-9.9", Kind.EQUATION, "9.9", "a subject", severity=Severity.RESULT)
 RIGHT = ClaimPart("right", PrintedDigits("1.25", 1.2501))
@@ -46,32 +48,30 @@ def test_slip_is_named_only_where_it_gives_the_print():
 
 
 def test_a_slip_never_turns_right_into_wrong():
-    assert (
-        judge(claim(replace(RIGHT, slip=Slip("none", 7.0, Verdict.ERRATUM))), ENTRY).verdict
-        is Verdict.REPRODUCED
-    )
+    right = replace(RIGHT, slip=Slip("none", 7.0, Verdict.ERRATUM))
+    assert judge(claim(right), ENTRY).verdict is Verdict.REPRODUCED
 
 
-def test_contradiction_stops_the_judgement():
-    contradicted = replace(RIGHT, confirmation=Confirmation("another way", PrintedDigits("3.0", 1.25)))
-    with pytest.raises(ContradictionError, match=r"eq-9\.9, right: .* another way"):
-        judge(claim(contradicted), ENTRY)
+def test_forms_and_missing_data_replace_what_is_shown():
+    judged, missing = judge(claim(replace(RIGHT, printed_form=Words("as printed")), MISSING), ENTRY).parts
+    assert (str(judged.printed), str(judged.derived)) == ("as printed", "1.25010")
+    assert str(missing.derived) == "the raw data of the experiment"
 
 
-def test_claim_without_parts_is_refused():
-    with pytest.raises(ValueError, match="no part"):
-        judge(claim(), ENTRY)
+CONTRADICTED = replace(RIGHT, confirmation=Confirmation("another way", PrintedDigits("3.0", 1.25)))
 
 
-def test_missing_data_are_shown():
-    (judged,) = judge(claim(MISSING), ENTRY).parts
-    assert str(judged.derived) == "the raw data of the experiment"
-
-
-def test_forms_replace_what_is_shown():
-    (judged,) = judge(claim(replace(RIGHT, printed_form=Words("as printed"))), ENTRY).parts
-    assert str(judged.printed) == "as printed"
-    assert str(judged.derived) == "1.25010"
+@pytest.mark.parametrize(
+    ("parts", "error", "told"),
+    [
+        ([CONTRADICTED], ContradictionError, r"eq-9\.9, right: .* another way"),
+        ([RIGHT, WRONG], UngradedError, r"eq-9\.9, wrong: it is wrong, and has no severity"),
+        ([], ValueError, "no part"),
+    ],
+)
+def test_what_cannot_be_judged_is_named(parts, error, told):
+    with pytest.raises(error, match=told):
+        judge(claim(*parts), replace(ENTRY, severity=None))
 
 
 def test_assertion_and_its_denial():
@@ -129,6 +129,21 @@ def test_a_finding_that_is_not_wrong_as_a_whole_has_no_severity():
     assert (finding.verdict, finding.severity) == (Verdict.NOT_CHECKABLE, Severity.NONE)
 
 
-def test_what_is_wrong_has_to_be_graded():
-    with pytest.raises(UngradedError, match=r"eq-9\.9, wrong: it is wrong, and has no severity"):
-        judge(claim(RIGHT, WRONG), replace(ENTRY, severity=None))
+def finding(claim_id: str, section: str, *parts: tuple[str, Verdict, Severity]) -> Finding:
+    """Return a finding of parts with item, verdict and severity."""
+    number = Number("1")
+    judged = tuple(
+        JudgedPart("", verdict, number, number, "", item=item, severity=severity)
+        for item, verdict, severity in parts
+    )
+    return Finding(claim_id, Kind.STATEMENT, section, "", Verdict.ERRATUM, "", "", Impact.LOCAL, "", judged)
+
+
+def test_a_thing_that_several_claims_judge_counts_once_with_the_gravest() -> None:
+    slip = ("737.514 Hz", Verdict.EXPLAINED, Severity.SLIP)
+    wrong = ("737.514 Hz", Verdict.ERRATUM, Severity.RESULT)
+    right = ("1.7", Verdict.REPRODUCED, Severity.NONE)
+    first, second = items((finding("a", "5.2.1", slip, right, slip), finding("b", "7", wrong)))
+    assert (first.name, first.chapter) == ("737.514 Hz", "5")
+    assert (first.verdict, first.severity) == (Verdict.ERRATUM, Severity.RESULT)
+    assert (second.name, second.verdict, second.severity) == ("1.7", Verdict.REPRODUCED, Severity.NONE)

@@ -42,9 +42,7 @@ def programs(made_once: MadeOnce) -> tuple[Program, ...]:
 
 
 @pytest.fixture(scope="session")
-def octave_run(
-    octave: str, programs: tuple[Program, ...], tmp_path_factory: pytest.TempPathFactory, made_once: MadeOnce
-) -> OctaveRun:
+def octave_run(octave, programs, tmp_path_factory, made_once) -> OctaveRun:
     folder = tmp_path_factory.mktemp("octave")
     return made_once.of_sources(
         f"run_{Path(octave).resolve().name}",

@@ -18,12 +18,10 @@ def printed(octave, programs, tmp_path_factory):
     (line,) = re.findall(r"^    (octave-cli .*)$", files(programs)["README.md"], re.MULTILINE)
     _, script = shlex.split(line)
     command = [octave, "--quiet", "--norc", str(folder / script)]
-    ended = subprocess.run(
-        command, cwd=folder.parent, capture_output=True, text=True, stdin=subprocess.DEVNULL
-    )
-    assert ended.returncode == 0, ended.stderr
-    assert "warning" not in ended.stderr
-    return ended.stdout
+    ran = subprocess.run(command, cwd=folder.parent, capture_output=True, text=True, stdin=subprocess.DEVNULL)
+    assert ran.returncode == 0, ran.stderr
+    assert "warning" not in ran.stderr
+    return ran.stdout
 
 
 def test_each_listing_is_there(printed):

@@ -3,7 +3,7 @@ import re
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from report.pages import escaping
@@ -23,11 +23,8 @@ def text_of(markdown: str) -> str:
     return html.unescape(paragraph[1])
 
 
-def test_special_characters_are_shown_as_they_are() -> None:
-    assert text_of(escaping.plain(SPECIAL)) == SPECIAL
-
-
 @settings(max_examples=25, deadline=None)
+@example(SPECIAL)
 @given(PRINTABLE.filter(str.strip))
 def test_plain_text_is_never_markup(text: str) -> None:
     assert text_of(escaping.plain(text)) == " ".join(text.split())
@@ -55,19 +52,17 @@ def test_digits_stay_the_printed_ones(printed: str, shown: str) -> None:
 @pytest.mark.parametrize(
     ("latex", "reason"), [(" ", "empty"), ("a $ b", "dollar"), (r"\frac{1}{2", "braces"), ("{", "braces")]
 )
-def test_mathematics_that_would_end_early_is_refused(latex: str, reason: str) -> None:
+def test_mathematics_that_would_end_early_is_refused_and_what_is_escaped_allowed(
+    latex: str, reason: str
+) -> None:
     with pytest.raises(ValueError, match=reason):
         escaping.display_mathematics(latex)
-
-
-def test_escaped_braces_and_dollars_are_allowed() -> None:
     assert escaping.inline_mathematics(r"\{ x \$") == r"$\{ x \$$"
 
 
 def test_an_attribute_keeps_quotes_and_backslashes() -> None:
     page = converted(f"[x]{{label={escaping.attribute(SPECIAL)}}}", "html5")
     value = re.search(r'data-label="([^"]*)"', page)
-    assert value is not None
     assert html.unescape(value[1]) == SPECIAL
 
 

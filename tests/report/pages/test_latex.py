@@ -27,8 +27,7 @@ SYMBOLS = sympy.symbols("m1:4 k1:4 omega_1:3 x y")
 
 def bare(latex: str) -> str:
     """Return LaTeX without what line breaking may add or take away: alignment, braces, sizes, spaces."""
-    latex = re.sub(r"\\begin\{aligned\}|\\end\{aligned\}|\\quad|\\left|\\right|\\\\|[{}&\s]", "", latex)
-    return latex
+    return re.sub(r"\\begin\{aligned\}|\\end\{aligned\}|\\quad|\\left|\\right|\\\\|[{}&\s]", "", latex)
 
 
 def lines_of(latex: str) -> list[str]:
@@ -39,9 +38,7 @@ def lines_of(latex: str) -> list[str]:
 @st.composite
 def polynomials(draw: st.DrawFn) -> sympy.Expr:
     """Sums of products, some of them with a bracketed sum as a factor."""
-    monomials = st.lists(st.sampled_from(SYMBOLS), min_size=1, max_size=4).map(
-        lambda factors: sympy.Mul(*factors)
-    )
+    monomials = st.lists(st.sampled_from(SYMBOLS), min_size=1, max_size=4).map(lambda each: sympy.Mul(*each))
     sums = st.lists(monomials, min_size=1, max_size=12).map(lambda terms: sympy.Add(*terms))
     return draw(sums) * draw(st.sampled_from(SYMBOLS)) + draw(sums) - draw(sums) ** 2
 
@@ -71,14 +68,11 @@ def test_what_fits_is_left_as_it_is(formula: str) -> None:
     assert fit(formula, LINE) == formula
 
 
-def test_a_long_sum_is_broken_before_its_signs() -> None:
+def test_a_long_sum_is_broken_before_its_signs_and_words_keep_their_spaces() -> None:
     lines = lines_of(fit(long_coefficient(), LINE))
     assert len(lines) > 3
     assert lines[0].startswith("a_{4}  =")
     assert all(line.startswith(r"\quad +") for line in lines[1:])
-
-
-def test_words_in_a_broken_formula_keep_their_spaces() -> None:
     assert r"\text{for all } x" in fit(rf"{long_coefficient()} + \text{{for all }} x", LINE)
 
 

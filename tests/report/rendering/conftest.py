@@ -22,9 +22,7 @@ def document() -> Document:
 
 
 @pytest.fixture(scope="session")
-def rendered(
-    document: Document, tmp_path_factory: pytest.TempPathFactory, made_once: MadeOnce
-) -> Mapping[Format, Path]:
+def rendered(document: Document, tmp_path_factory, made_once: MadeOnce) -> Mapping[Format, Path]:
     folder = (made_once.lasting or tmp_path_factory.mktemp("report")) / "sample"
     store = StageStore(folder / "kept")
     sources = sorted(map(str, Path(__file__).parent.glob("sample*.py")))

@@ -50,36 +50,27 @@ def test_only_wrong_parts_are_errata_and_each_is_one() -> None:
 def test_a_statement_has_its_title_once() -> None:
     parts = (("first", Verdict.ERRATUM, Number("2")), ("second", Verdict.ERRATUM, Number("3")))
     sheet = of(finding("txt-5.1-it", *parts, kind=Kind.STATEMENT))
-    assert [(erratum.place, erratum.part) for erratum in sheet] == [
-        ("Sec. 5.1", "title: first"),
-        ("Sec. 5.1", "second"),
-    ]
+    assert [erratum.place for erratum in sheet] == ["Sec. 5.1"] * 2
+    assert [erratum.part for erratum in sheet] == ["title: first", "second"]
 
 
-def test_the_no_of_an_answer_is_left_out() -> None:
-    (erratum,) = of(finding("eq-5.1", ("", Verdict.ERRATUM, Words("No: it is $2; 3$; not more"))))
-    assert erratum.should_be == Words("it is $2; 3$; not more")
+def test_an_answer_is_said_without_its_no_and_if_it_is_very_long_by_its_first_statement() -> None:
+    rest = ", with $a; b$ in it"
+    for answer, said in (
+        ("No: it is $2; 3$; not more", "it is $2; 3$; not more"),
+        (f"{LONG}{rest}; the measure of it is 1e-9. More follows", f"{LONG.removeprefix('No: ')}{rest}"),
+    ):
+        (erratum,) = of(finding("eq-5.1", ("", Verdict.ERRATUM, Words(answer))))
+        assert erratum.should_be == Words(said)
 
 
-def test_a_very_long_answer_gives_its_first_statement() -> None:
-    answer = f"{LONG}, with $a; b$ in it; the measure of it is 1e-9. More follows, which the card has"
-    (erratum,) = of(finding("eq-5.1", ("", Verdict.ERRATUM, Words(answer))))
-    assert erratum.should_be == Words(f"{LONG.removeprefix('No: ')}, with $a; b$ in it")
-
-
-def test_a_long_correction_is_said_once_and_then_referred_to() -> None:
+def test_a_long_correction_is_said_once_and_then_referred_to_and_a_short_one_repeated() -> None:
     wrong = ("", Verdict.ERRATUM, Words(LONG))
     first, second = of(finding("eq-5.1", wrong), finding("eq-5.2", wrong))
     assert first.should_be == Words(LONG.removeprefix("No: "))
     assert second.should_be == Words(r"as at [Eq\. 5\.1](#eq-5.1)")
-
-
-def test_a_short_correction_is_repeated() -> None:
-    wrong = ("", Verdict.ERRATUM, Number("2"))
-    assert [erratum.should_be for erratum in of(finding("eq-5.1", wrong), finding("eq-5.2", wrong))] == [
-        Number("2"),
-        Number("2"),
-    ]
+    short = ("", Verdict.ERRATUM, TWO)
+    assert [each.should_be for each in of(finding("eq-5.1", short), finding("eq-5.2", short))] == [TWO, TWO]
 
 
 def graded(id: str, severity: Severity, item: str = "", derived: Shown = TWO) -> Finding:
@@ -89,19 +80,11 @@ def graded(id: str, severity: Severity, item: str = "", derived: Shown = TWO) ->
 
 
 def test_the_grave_stand_first_and_else_the_order_is_the_thesis_s() -> None:
-    slip, result, conclusion, other = (
-        graded(f"eq-5.{number}", severity)
-        for number, severity in enumerate(
-            (Severity.SLIP, Severity.RESULT, Severity.CONCLUSION, Severity.RESULT), start=1
-        )
-    )
-    sheet = of(slip, result, conclusion, other)
+    severities = (Severity.SLIP, Severity.RESULT, Severity.CONCLUSION, Severity.RESULT)
+    sheet = of(*(graded(f"eq-5.{number}", each) for number, each in enumerate(severities, start=1)))
     assert [erratum.claim for erratum in sheet] == ["eq-5.3", "eq-5.2", "eq-5.4", "eq-5.1"]
-    assert [(group.severity, len(group.errata)) for group in by_severity(sheet)] == [
-        (Severity.CONCLUSION, 1),
-        (Severity.RESULT, 2),
-        (Severity.SLIP, 1),
-    ]
+    groups = {group.severity: len(group.errata) for group in by_severity(sheet)}
+    assert [*groups.items()] == [(Severity.CONCLUSION, 1), (Severity.RESULT, 2), (Severity.SLIP, 1)]
 
 
 def test_a_printed_thing_stands_there_once_with_the_gravest_that_was_found() -> None:

@@ -25,9 +25,7 @@ def store(tmp_path: Path) -> StageStore:
     return StageStore(tmp_path / "kept")
 
 
-def test_an_unchanged_report_is_written_without_pandoc_and_typst(
-    part: Document, store: StageStore, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_unchanged_report_is_written_without_pandoc_and_typst(part, store, tmp_path, monkeypatch) -> None:
     """Without both tools everything comes from what is kept; what has changed asks for them."""
     first = {form: path.read_bytes() for form, path in render(part, tmp_path / "1", store=store).items()}
     monkeypatch.setattr("typst.compile", None)

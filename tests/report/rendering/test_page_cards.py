@@ -47,9 +47,7 @@ def test_tab_goes_from_card_to_card(shared: Page) -> None:
     assert met == cards[:4]
 
 
-def test_each_card_and_each_table_of_errata_or_of_many_links_is_one_stop(
-    visit: Callable[..., Visit], document: Document
-) -> None:
+def test_each_card_and_each_table_of_errata_or_of_many_links_is_one_stop(visit, document) -> None:
     page = visit().page
     page.wait_for_timeout(300)  # scrolling boxes are found when they are laid out
     assert page.evaluate(STOPS, "article.claim") == len(ids(document))

@@ -65,7 +65,6 @@ def test_omega_is_read_along_a_locus(page: Page) -> None:
     assert number(text, "real part") == pytest.approx(exact.real, abs=0.01)
     assert number(text, "imaginary part") == pytest.approx(exact.imag, abs=0.01)
     hertz = re.search(r"\(([\d.]+) Hz\)", text)
-    assert hertz is not None
     assert float(hertz[1]) == pytest.approx(1.0 / (2 * math.pi), abs=0.005)
 
 
@@ -114,9 +113,8 @@ def sizes(figure: Locator) -> list[object]:
 
 
 def width_of_curve(figure: Locator) -> float:
-    return float(
-        figure.locator("path[style*=c0072b2]").first.evaluate("line => line.getBoundingClientRect().width")
-    )
+    curve = figure.locator("path[style*=c0072b2]").first
+    return float(curve.evaluate("line => line.getBoundingClientRect().width"))
 
 
 def test_zooming_keeps_frame_and_labels_and_what_is_read_in_place(page: Page) -> None:
@@ -182,7 +180,6 @@ def test_a_zoomed_figure_is_moved_by_dragging(page: Page) -> None:
     point_at(page, figure, 0.5, 0.5)
     before = number(read(figure), "real part")
     box = figure.locator("svg").bounding_box()
-    assert box is not None
     middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     page.mouse.dblclick(*middle)
     page.mouse.move(*middle)

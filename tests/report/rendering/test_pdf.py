@@ -98,9 +98,7 @@ def test_the_programs_are_attached(rendered: Mapping[Format, Path], document: Do
 
 @pytest.mark.slow
 @pytest.mark.poppler
-def test_the_report_can_be_set_on_letter_paper(
-    document: Document, tmp_path_factory: pytest.TempPathFactory
-) -> None:
+def test_the_report_can_be_set_on_letter_paper(document: Document, tmp_path_factory) -> None:
     path = tmp_path_factory.mktemp("letter") / "letter.pdf"
     part = select(document, ["appA"])
     path.write_bytes(cards_pdf(part, Paper.LETTER))
@@ -130,9 +128,7 @@ def test_a_formula_that_cannot_fit_stops_the_build_and_is_named(document: Docume
 
 
 @pytest.mark.poppler
-def test_a_formula_that_is_a_little_too_wide_is_set_smaller(
-    document: Document, tmp_path_factory: pytest.TempPathFactory
-) -> None:
+def test_a_formula_that_is_a_little_too_wide_is_set_smaller(document: Document, tmp_path_factory) -> None:
     wide = with_equation(document, fraction(30))
     path = tmp_path_factory.mktemp("wide") / "wide.pdf"
     path.write_bytes(cards_pdf(wide))
@@ -144,9 +140,7 @@ def test_a_formula_that_is_a_little_too_wide_is_set_smaller(
 @pytest.mark.parametrize(
     "source", ['#image("secret.svg")', '#read("secret.svg")', '#include "secret.typ"', '#read("/etc/hosts")']
 )
-def test_typst_sees_no_file_of_the_folder(
-    source: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_typst_sees_no_file_of_the_folder(source: str, tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "secret.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" width="1" height="1"/>')
     (tmp_path / "secret.typ").write_text("secret")

@@ -136,16 +136,12 @@ def test_without_a_copy_nothing_marks_its_place(rendered: Mapping[Format, Path])
     assert 'class="passage' not in page
 
 
-def test_a_copy_changes_the_page_alone(
-    rendered: Mapping[Format, Path], with_copy: Mapping[Format, Path]
-) -> None:
+def test_a_copy_changes_the_page_alone(rendered, with_copy) -> None:
     for form, path in with_copy.items():
         assert (path.read_bytes() == rendered[form].read_bytes()) == (form is not Format.HTML), form
 
 
-def test_the_cache_holds_nothing_of_it(
-    document: Document, rendered: Mapping[Format, Path], page: str, folder: Path, tmp_path: Path
-) -> None:
+def test_the_cache_holds_nothing_of_it(document, rendered, page, folder, tmp_path) -> None:
     kept = folder / "kept"
     assert SECRET in page
     assert list(kept.iterdir())

@@ -22,9 +22,7 @@ render(sample(), Path(sys.argv[1]))
 
 
 @pytest.mark.slow
-def test_the_same_document_gives_the_same_bytes(
-    rendered: Mapping[Format, Path], tmp_path: Path, project_folder: Path
-) -> None:
+def test_the_same_document_gives_the_same_bytes(rendered, tmp_path, project_folder) -> None:
     elsewhere = tmp_path / "another folder"
     environment = {**os.environ, "PYTHONHASHSEED": "7", "TZ": "Asia/Tokyo", "PYTHONPATH": str(project_folder)}
     subprocess.run([sys.executable, "-c", PROGRAM, str(elsewhere)], cwd=tmp_path, env=environment, check=True)

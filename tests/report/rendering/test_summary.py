@@ -1,4 +1,10 @@
+"""What a report counts and names of its claims, on the certificate too."""
+
+import dataclasses
+from collections.abc import Sequence
 from dataclasses import replace
+
+import pytest
 
 from report.building.thesis import THESIS
 from report.document.document import Document
@@ -8,6 +14,9 @@ from report.judging.items import items
 from report.judging.shown import Number
 from report.judging.verdict import Certainty, Grade, Impact, Verdict, grade
 from report.rendering import summary
+from report.rendering.markdown import to_markdown
+from report.rendering.outline import Group, place
+from report.rendering.selection import select
 
 
 def part(label: str, method: str, slip: str = "") -> JudgedPart:
@@ -36,44 +45,84 @@ def test_every_grade_and_certainty_has_its_words() -> None:
 
 
 def test_a_claim_is_named_as_a_reader_would() -> None:
-    named = {
-        summary.reference(finding(id, kind))
-        for id, kind in (
-            ("eq-2.8", Kind.EQUATION),
-            ("lst-A.1", Kind.LISTING),
-            ("txt-5.1.2-order", Kind.STATEMENT),
-        )
-    }
-    assert named == {"Equation 2.8", "Listing A.1", "Statement in section 5.1.2"}
+    for id, kind, name in (
+        ("eq-2.8", Kind.EQUATION, "Equation 2.8"),
+        ("lst-A.1", Kind.LISTING, "Listing A.1"),
+        ("txt-5.1.2-order", Kind.STATEMENT, "Statement in section 5.1.2"),
+    ):
+        assert summary.reference(finding(id, kind)) == name
 
 
-def test_a_method_that_all_parts_share_is_said_once() -> None:
-    assert summary.methods((part("a", "by hand"), part("b", "by hand"))) == (("", "by hand"),)
-
-
-def test_methods_that_differ_name_their_parts() -> None:
-    parts = (part("a", "by hand"), part("b", "by proof"), part("c", "by hand"))
-    assert summary.methods(parts) == (("a, c", "by hand"), ("b", "by proof"))
-
-
-def test_many_parts_are_counted_instead_of_named() -> None:
-    parts = (*(part(label, "by hand") for label in "abcd"), part("e", "by proof"))
-    assert summary.methods(parts) == (("4 parts", "by hand"), ("e", "by proof"))
-
-
-def test_parts_without_a_slip_are_not_named() -> None:
-    assert summary.slips((part("a", ""), part("b", "", "a sign is lost"))) == (("b", "a sign is lost"),)
+@pytest.mark.parametrize(
+    ("parts", "told"),
+    [
+        ((part("a", "by hand"), part("b", "by hand")), [("", "by hand")]),
+        (
+            [part(a, b) for a, b in zip("abc", ("by hand", "by proof", "by hand"), strict=True)],
+            [("a, c", "by hand"), ("b", "by proof")],
+        ),
+        (
+            [*(part(a, "by hand") for a in "abcd"), part("e", "by proof")],
+            [("4 parts", "by hand"), ("e", "by proof")],
+        ),
+    ],
+    ids=["one said once", "two name their parts", "many parts are counted"],
+)
+def test_methods_are_named_with_their_parts(parts: Sequence[JudgedPart], told: list[tuple[str, str]]) -> None:
+    assert summary.methods(tuple(parts)) == tuple(told)
 
 
 def test_a_sentence_ends_with_one_full_stop() -> None:
-    assert (
-        summary.sentence("b is half the gap")
-        == summary.sentence("b is half the gap.")
-        == "b is half the gap."
-    )
+    for told in ("b is half the gap", "b is half the gap."):
+        assert summary.sentence(told) == "b is half the gap."
 
 
 def test_what_the_copy_may_have_lost_is_no_slip_and_says_what_decides() -> None:
+    assert summary.slips((part("a", ""), part("b", "", "a sign is lost"))) == (("b", "a sign is lost"),)
     lost = replace(part("a", "", "a minus is lost"), decided_by="the page decides")
     assert summary.slips((lost,)) == ()
     assert summary.copy_faults((lost, part("b", ""))) == (("a", "a minus is lost; the page decides"),)
+
+
+def certificate(document: Document) -> str:
+    return " ".join(to_markdown(document)["certificate"].replace("\\", "").split())
+
+
+def test_figures_are_counted_from_the_findings(document: Document) -> None:
+    assert summary.figures_judged(document) == 3
+    assert "the 3 figures are judged by what the text says of them" in certificate(document)
+
+
+@pytest.mark.parametrize(
+    ("chapters", "says"),
+    [
+        ("ch2", "the one figure judged here is judged by what the text says of it"),
+        ("appA", "drawings were not seen. :::"),
+    ],
+)
+def test_a_part_counts_its_own(document: Document, chapters: str, says: str) -> None:
+    assert says in certificate(select(document, [chapters]))
+
+
+def test_the_command_makes_the_same_part_again(document: Document) -> None:
+    assert summary.command(document) == "trimmer report"
+    assert summary.command(select(document, ["appA", "CH2"])) == "trimmer report --only ch2 appA"
+
+
+def test_a_time_that_was_not_measured_is_left_out(document: Document) -> None:
+    unknown = dataclasses.replace(document.provenance, build_time=None)
+    assert "from nothing" not in certificate(dataclasses.replace(document, provenance=unknown))
+
+
+@pytest.mark.parametrize(
+    ("lines", "paragraph", "heading", "expected"),
+    [
+        (None, None, "", r"chapter\ 2"),
+        (None, 3, "2.1 Title", r"section\ 2, paragraph\ 3"),
+        ((7, 7), None, "2.1 Title", r"section\ 2, line\ 7 of the copy"),
+        ((7, 9), 0, "2.1 Title", r"section\ 2, paragraph\ 0, lines\ 7–9 of the copy"),
+    ],
+)
+def test_a_place_is_said_as_far_as_it_is_known(document, lines, paragraph, heading, expected) -> None:
+    finding = dataclasses.replace(document.findings[0], lines=lines, paragraph=paragraph)
+    assert place(finding, Group("2", heading, (finding,))) == expected
