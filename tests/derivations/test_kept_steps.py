@@ -8,9 +8,7 @@ import sympy
 from tests.derivations.kept_steps import FOLDER, NARRATIVES, SOURCES, written
 
 
-@pytest.mark.skipif(
-    not sympy.__version__.startswith("1.14"), reason="other versions of SymPy put terms in another order"
-)
+@pytest.mark.skipif(not sympy.__version__.startswith("1.14"), reason="others put terms in another order")
 @pytest.mark.parametrize("name", [*NARRATIVES, *SOURCES])
 def test_derivations_are_told_as_they_were(name: str) -> None:
     kept = FOLDER.joinpath(f"{name}.txt").read_text("utf-8").splitlines()

@@ -54,9 +54,7 @@ def test_block_on_a_belt():
     assert equal(found, -k * q1 - rubbing.force - rubbing.viscous * (rate(q1) - belt_speed))
     power = derivation.motion.power
     friction_force = rubbing.force + rubbing.viscous * (rate(q1) - belt_speed)
-    assert equal(power.input_power, -friction_force * belt_speed), (
-        "the belt drives against the friction on it"
-    )
+    assert equal(power.input_power, -friction_force * belt_speed), "the belt drives"
     (law,) = derivation.frictions
     held = m1 * rate(belt_speed) + k * q1 + rubbing.viscous * (rate(q1) - belt_speed)
     assert equal(law.held, -held), "the block moves as the belt does"
@@ -89,12 +87,10 @@ def test_two_plays_in_series():
     forces = derivation.motion.resultant_forces
     assert equal(forces[0], second.tension - first.tension)
     assert equal(forces[1], -second.tension)
-    expected = sympy.Matrix(
-        [[first.stiffness + second.stiffness, -second.stiffness], [-second.stiffness] * 2]
-    )
-    expected[1, 1] = second.stiffness
+    wanted = sympy.Matrix([[first.stiffness + second.stiffness, -second.stiffness], [-second.stiffness] * 2])
+    wanted[1, 1] = second.stiffness
     matrices = derivation.closed.matrices
-    assert matrices.stiffness == expected
+    assert matrices.stiffness == wanted
     loads = [first.stiffness * first.side * first.gap / 2, second.stiffness * second.side * second.gap / 2]
     assert matrices.constant_force == sympy.Matrix([loads[0] - loads[1], loads[1]])
 

@@ -1,13 +1,18 @@
-"""The derivation step by step, and the LaTeX document that `trimmer derive` writes."""
+"""The derivation step by step, worked by hand where it is, and the document that `trimmer derive` writes."""
+
+from dataclasses import replace
 
 import pytest
 import sympy
 
+from derivations import by_hand
+from derivations.algebra.identity import UnprovenError
 from derivations.latex import latex
 from derivations.latex_document import latex_document
 from derivations.linear_trimmer import derive_linear_trimmer
 from derivations.step import Formula, NarrativeStep
-from derivations.symbols import c2, k2, q1, t, u_dot
+from derivations.symbols import c2, k2, q1, q2, t, u_dot
+from derivations.transfer_steps import output_numerator, transfer_function_step
 
 
 @pytest.fixture(scope="module")
@@ -46,3 +51,19 @@ def test_document_has_balanced_braces_and_all_coefficients(derivation):
     assert places == sorted(places)
     assert text.index("So the unknowns are") < text.index("F(\\ell, \\omega) = N(\\ell)")
     assert "number={2.41}" in text
+
+
+def test_a_wrong_line_is_not_shown(derivation):
+    wrong = replace(derivation, lagrangian=derivation.lagrangian + k2 * q2**2)
+    with pytest.raises(UnprovenError, match="force of the springs"):
+        by_hand.worked_equation(wrong)
+    other = replace(derivation, rayleigh_function=2 * derivation.rayleigh_function)
+    with pytest.raises(UnprovenError, match="damper"):
+        by_hand.worked_equation(other)
+
+
+def test_the_velocity_acts_as_the_displacement_does(derivation):
+    matrices = derivation.matrices
+    assert sympy.simplify(matrices.velocity_force / c2 - matrices.displacement_force / k2).is_zero_matrix
+    assert r"1 + \frac{c_2}{k_2} s" in transfer_function_step(derivation).formulas[-1].latex
+    assert len(output_numerator(derivation)) == 7

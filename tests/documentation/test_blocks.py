@@ -56,21 +56,12 @@ def test_blocks_have_their_language_output_title_and_comment() -> None:
     assert [PAGE.splitlines()[block.line - 1] for block in found][2] == "print(number)"
 
 
-def test_blocks_share_names_and_files(tmp_path: Path) -> None:
+def test_blocks_share_names_and_files_and_print_what_is_shown(tmp_path: Path) -> None:
     assert list(run(tmp_path, PAGE).values()) == ["", "6\n"]
-
-
-def test_slow_blocks_are_left_out(tmp_path: Path) -> None:
     assert list(run(tmp_path, PAGE, slow=False).values()) == [""]
-
-
-def test_another_output_is_an_error(tmp_path: Path) -> None:
+    run(tmp_path, PAGE.replace("\n6\n", "\n...\n"))  # dots stand for anything
     with pytest.raises(PageError, match=r"page\.md, line 16"):
         run(tmp_path, PAGE.replace("\n6\n", "\n7\n"))
-
-
-def test_dots_stand_for_anything(tmp_path: Path) -> None:
-    run(tmp_path, PAGE.replace("\n6\n", "\n...\n"))
 
 
 def test_exit_codes_are_compared(tmp_path: Path) -> None:

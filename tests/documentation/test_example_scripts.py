@@ -13,10 +13,7 @@ SLOW = {"basin", "branch", "chaos", "den_hartog", "own_element"}
 
 @pytest.mark.parametrize(
     "script",
-    [
-        pytest.param(script, id=script.name, marks=[pytest.mark.slow] if script.name in SLOW else [])
-        for script in SCRIPTS
-    ],
+    [pytest.param(each, id=each.name, marks=[pytest.mark.slow] * (each.name in SLOW)) for each in SCRIPTS],
 )
 def test_script(script: ExampleScript) -> None:
     run_script(script)

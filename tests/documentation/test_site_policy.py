@@ -7,7 +7,6 @@ import sys
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser
 
 from tests.report.rendering.page_checks import visited
 
@@ -25,9 +24,7 @@ HOOK = "from scripts.site.hooks import on_post_page"
 
 
 @pytest.mark.browser
-def test_search_works_under_the_policy_and_nothing_comes_from_elsewhere(
-    browser: Browser, tmp_path: Path
-) -> None:
+def test_search_works_under_the_policy_and_nothing_comes_from_elsewhere(browser, tmp_path) -> None:
     (tmp_path / "mkdocs.yml").write_text(SETTINGS)
     (tmp_path / "hook.py").write_text(HOOK)
     shutil.copytree(PROJECT / "docs" / "javascripts", tmp_path / "docs" / "javascripts")

@@ -33,9 +33,7 @@ def test_an_empty_date_is_none(monkeypatch, capsys) -> None:
 @pytest.mark.parametrize("words", [("design",), ("compare", OSCILLATOR)], ids=["design", "compare"])
 def test_a_cluster_that_is_not_there_is_told_before_any_work(tmp_path: Path, capsys, words) -> None:
     folder = tmp_path / "out"
-    code, out, told = called(
-        capsys, *words, OSCILLATOR, "--scheduler", "nonsense://a", "--directory", str(folder)
-    )
+    code, out, told = called(capsys, *words, OSCILLATOR, "--scheduler", "no://a", "--directory", str(folder))
     assert (code, out, told.count("\n")) == (2, "", 1)
     assert "no Dask scheduler answers" in told or "needs the package distributed" in told
     assert not folder.exists()

@@ -20,10 +20,7 @@ from scripts.doors import insides, wrong
         ),
         ("mock.patch('report.command.main')", ["replaces 'report.command.main' inside the packages"]),
         ("from trimmer import Problem\ndict(Problem.table)", []),
-        (
-            "from trimmer import Problem\nmock.patch.dict(Problem.table)",
-            ["replaces Problem.table inside the packages"],
-        ),
+        ("from trimmer import A\nmock.patch.dict(A.table)", ["replaces A.table inside the packages"]),
         ("import os, time\nmonkeypatch.setattr(time, 'sleep', None)\nos._exit(1)", []),
         ("monkeypatch.setenv('HOME', '/')\nself._kept = row._replace(a=1)", []),
         ("from trimmer.response.respond import respond", ["imports respond from below trimmer"]),

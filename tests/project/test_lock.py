@@ -42,9 +42,7 @@ def test_development_lock_holds_the_other_one(project_folder: Path) -> None:
     small, large = (pins(project_folder / lock) for lock in LOCKS)
     assert small
     # What the small one needs on one system only, the large one may need everywhere.
-    assert {
-        (name, marker): large.get((name, marker), large.get((name, ""))) for name, marker in small
-    } == small
+    assert {(n, marker): large.get((n, marker), large.get((n, ""))) for n, marker in small} == small
 
 
 def test_locks_name_what_pyproject_asks_for(project_folder: Path) -> None:

@@ -22,27 +22,14 @@ SOURCE = "def area(a, b):\n    return a * b\n"
 
 
 def mutant(number: int = 1, kind: Kind = Kind.ARITHMETIC) -> Mutant:
-    return Mutant(
-        *(
-            "trimmer/area.py",
-            "area",
-            kind,
-            "a * b",
-            f"(a - {number} * b)",
-            2,
-            "return a * b",
-            (2, 2),
-            (27, 32),
-        ),
-        "digest",
+    places = (2, "return a * b", (2, 2), (27, 32), "digest")
+    return Mutant("trimmer/area.py", "area", kind, "a * b", f"(a - {number} * b)", *places)
+
+
+def file(name: str, seconds: float, lines: set[int], failed: str = "") -> TestFile:
+    return TestFile(
+        f"tests/{name}.py", seconds, failed, {"trimmer/area.py": frozenset(lines)}, frozenset(), {}
     )
-
-
-def file(
-    path: str, seconds: float, numbers: dict[str, set[int]], entries: set[str] = frozenset(), failed: str = ""
-):
-    lines_of = {name: frozenset(each) for name, each in numbers.items()}
-    return TestFile(path, seconds, failed, lines_of, frozenset(entries), {})
 
 
 @pytest.fixture
@@ -127,16 +114,9 @@ if __name__ == "__main__":
 def test_how_a_process_ends_is_told(tmp_path: Path) -> None:
     script = tmp_path / "script.py"
     script.write_text(WORK, encoding="utf-8")
-    here = Path(__file__).parents[2]
-    environment = {**os.environ, "PYTHONPATH": str(here)}
-    done = subprocess.run(
-        [sys.executable, script, tmp_path],
-        cwd=here,
-        env=environment,
-        capture_output=True,
-        text=True,
-        timeout=100,
-    )
+    where = {"cwd": (here := Path(__file__).parents[2]), "env": {**os.environ, "PYTHONPATH": str(here)}}
+    command = [sys.executable, script, tmp_path]
+    done = subprocess.run(command, **where, capture_output=True, text=True, timeout=100)
     assert done.stdout.splitlines() == [
         "answers done 42",
         "raises raised ZeroDivisionError: division by zero",
@@ -149,17 +129,9 @@ def test_test_files_are_those_that_run_a_line_the_one_that_names_the_module_firs
     (tmp_path / "trimmer").mkdir()
     (tmp_path / "tests").mkdir()
     for name in ("a", "b", "c", "d"):
-        (tmp_path / "tests" / f"{name}.py").write_text(
-            "import trimmer.area\n" if name == "c" else "", encoding="utf-8"
-        )
-    known = LineMap(
-        [
-            file("tests/a.py", 2.0, {"trimmer/area.py": {1, 2}}),
-            file("tests/b.py", 1.0, {"trimmer/area.py": {1}}),
-            file("tests/c.py", 9.0, {"trimmer/area.py": {2}}),
-            file("tests/d.py", 0.1, {"trimmer/area.py": {2}}, failed="tests/d.py::test_x"),
-        ]
-    )
+        (tmp_path / "tests" / f"{name}.py").write_text("import trimmer.area\n" if name == "c" else "")
+    failed = file("d", 0.1, {2}, failed="tests/d.py::test_x")
+    known = LineMap([file("a", 2.0, {1, 2}), file("b", 1.0, {1}), file("c", 9.0, {2}), failed])
     assert [each.path for each in chosen(mutant(), known, tmp_path)] == ["tests/c.py", "tests/a.py"]
     only_imported = LineMap(known.files[1:2])
     assert [each.path for each in chosen(mutant(), only_imported, tmp_path)] == ["tests/b.py"]
@@ -188,13 +160,8 @@ def test_the_share_is_of_those_with_an_effect() -> None:
     noticed += [(mutant(k), Outcome(claims="x", tests="y")) for k in range(40, 57)]
     missed = [(mutant(k), Outcome(tests="", claims="", text="eq-2.8" * (k == 57))) for k in range(57, 61)]
     counts = count([*noticed, *missed], frozenset({identity(mutant(60)), identity(mutant(3))}))
-    assert (counts.drawn, counts.equivalent, counts.claims, counts.tests, counts.nothing) == (
-        61,
-        1,
-        17,
-        40,
-        3,
-    )
+    told = counts.drawn, counts.equivalent, counts.claims, counts.tests, counts.nothing
+    assert told == (61, 1, 17, 40, 3)
     assert counts.texts == 1
     assert counts.share == pytest.approx(57 / 60)
     # Wilson 1927: the roots p of (p - 57/60)**2 = z**2 p (1 - p)/60.

@@ -59,9 +59,7 @@ def test_wheel_holds_the_licences(wheel: Path) -> None:
 
 
 @pytest.mark.slow
-def test_installed_command_works_from_another_folder(
-    installed: Path, tmp_path: Path, project_folder: Path
-) -> None:
+def test_installed_command_works_from_another_folder(installed: Path, tmp_path, project_folder) -> None:
     variables = os.environ | {"PYTHONPATH": str(installed)}
     where = (
         "import trimmer, report, derivations; print(trimmer.__file__, report.__file__, derivations.__file__)"

@@ -52,12 +52,7 @@ def derivation():
 @pytest.fixture(scope="module")
 def quantities(derivation):
     """What occurs, each with the unit that its letter has."""
-    held = {
-        value
-        for kind in vars(derivation.mechanism).values()
-        for part in kind
-        for value in vars(part).values()
-    }
+    held = {value for kind in vars(derivation.mechanism).values() for p in kind for value in vars(p).values()}
     symbols = {each for each in held if isinstance(each, sympy.Expr) and each != 0}
     return tuple(
         Quantity(each, f"meaning of {each}", UNITS[str(each).split("_")[0].split("(")[0]]) for each in symbols
@@ -89,10 +84,7 @@ def test_every_expression_is_consistent_in_its_dimensions(derivation, quantities
 
 @pytest.mark.parametrize("symbol", ["k_a", "c_b", "F_a", "d_a", "g_a", "T_a(t)", "m_2"])
 def test_a_symbol_of_another_dimension_is_noticed(derivation, quantities, symbol):
-    wrong = tuple(
-        Quantity(each.symbol, each.meaning, ONE) if str(each.symbol) == symbol else each
-        for each in quantities
-    )
+    wrong = tuple(Quantity(q.symbol, q.meaning, ONE) if str(q.symbol) == symbol else q for q in quantities)
     with pytest.raises(DimensionError):
         require_consistent(mechanism_checks(derivation, wrong))
 

@@ -3,8 +3,8 @@
 import control
 import numpy as np
 import pytest
-import scipy.integrate
 import sympy
+from scipy import integrate
 
 from derivations.elements.backlash import (
     CONTACT,
@@ -59,9 +59,7 @@ def test_general_describing_function_is_that_of_quadrature(gamma, contact):
         for segment in general_waveform().segments:
             function = sympy.lambdify(THETA, segment.value.subs(values))
             start, end = (float(edge.subs(values)) for edge in (segment.start, segment.end))
-            total += scipy.integrate.quad(
-                lambda x, f=function, w=weight: f(x) * w(x), start, end, epsabs=1e-13
-            )[0]
+            total += integrate.quad(lambda x, f=function, w=weight: f(x) * w(x), start, end, epsabs=1e-13)[0]
         sums.append(total / np.pi)
     assert closed == pytest.approx(complex(sums[0], sums[1]), rel=1e-9)
 
