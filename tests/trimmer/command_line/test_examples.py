@@ -105,15 +105,12 @@ def test_the_help_shows_the_examples(capsys: pytest.CaptureFixture[str], command
         main([command.name, "--help"])
     assert stopped.value.code == 0
     shown = capsys.readouterr().out
-    assert epilog(command).split("\n\n")[0] in shown
+    examples = epilog(command).split("\n\n")[0]
+    assert examples in shown
+    assert max(map(len, examples.split("\n"))) <= WIDTH
     typed = " ".join(shown.replace("\\\n", " ").split())
     for example in command.examples:
         assert f"{example.words} {example.purpose}" in typed
-
-
-@pytest.mark.parametrize("command", COMMANDS.values(), ids=list(COMMANDS))
-def test_no_line_of_the_examples_is_wider_than_a_terminal(command: Command) -> None:
-    assert max(map(len, epilog(command).split("\n\n")[0].split("\n"))) <= WIDTH
 
 
 @pytest.mark.slow

@@ -171,26 +171,32 @@ def test_a_map_goes_on_where_it_was_interrupted(tmp_path: Path, capsys) -> None:
     assert sorted(file.read_text("utf-8").splitlines()) == sorted(line.rstrip("\n") for line in lines)
 
 
-def test_an_interrupted_map_says_how_to_go_on(tmp_path: Path, capsys) -> None:
-    for words, advice in ((["--output", str(tmp_path / "a.map")], "--resume"), ([], "--output")):
-        with Interrupter(2, "maps/measures").at_work():
-            assert main([*MAP, *words]) == 130
-        told = capsys.readouterr()
-        assert told.out == "" and told.err.startswith("trimmer: interrupted after ")
-        assert " of 2 cells" in told.err and advice in told.err
-
-
 STOP = ["map", str(EXAMPLES / "oscillator-stop.toml"), "--vary", "frequency=0.86:0.8825:2", "--special", "1"]
 STOP += ["--vary", "stops.stop.gap=9.97:10.03:2", "--jobs", "1"]
 
 
-def test_a_map_is_kept_though_its_special_points_are_not(tmp_path: Path, capsys) -> None:
+@pytest.mark.parametrize(
+    ("words", "inside", "kept", "advice"),
+    [
+        (MAP, "maps/measures", "of 2 cells", ("--resume", "--output")),
+        (
+            STOP,
+            "maps/special_work",
+            "",
+            ("; the same call with --resume goes on", "name a file (--output) to"),
+        ),
+    ],
+    ids=["cells", "special points"],
+)
+def test_an_interrupted_map_says_how_to_go_on(
+    tmp_path: Path, capsys, words: list[str], inside: str, kept: str, advice: tuple[str, str]
+) -> None:
     file = tmp_path / "a.map"
     import_module("trimmer.maps.special_work")  # or else the interrupt would fall into the import
-    for words, advice in (
-        (["--output", str(file)], f"the map is in {file}; the same call with --resume goes on"),
-        ([], "name a file (--output) to keep it"),
-    ):
-        with Interrupter(1, "maps/special_work").at_work():
-            assert main([*STOP, *words]) == 130
-        assert advice in capsys.readouterr().err
+    for more, told in (["--output", str(file)], advice[0]), ([], advice[1]):
+        with Interrupter(2 if kept else 1, inside).at_work():
+            assert main([*words, *more]) == 130
+        out, error = capsys.readouterr()
+        assert error.startswith("trimmer: interrupted") and kept in error and told in error
+        assert out == "" or not kept
+    assert kept or file.exists()

@@ -125,27 +125,20 @@ def test_without_a_drive_what_falls_is_followed_until_it_rests() -> None:
     assert motion.measure(Measure.CLOSING_TIME, "seat") == pytest.approx(closed_form()[0] - BEGIN, rel=1e-9)
 
 
+DRIVEN = ("[bodies]", "frequency = 50.0\n[bodies]")
+SHAKEN = ("profile = [[", "amplitude = 1.0 } #")
+PROFILE = "a force follows a profile, with which nothing repeats"
+
+
 @pytest.mark.parametrize(
     ("targets", "changes", "told"),
     [
-        (
-            'bounce_time_at_most = { seet = "1 ms" }',
-            (),
-            "there is no play or stop 'seet'; did you mean seat?",
-        ),
+        ('bounce_time_at_most = { seet = "1 ms" }', (), "no play or stop 'seet'; did you mean seat?"),
         ('closing_time_at_most = "1 mm"', (), '"5 ms" would do'),
         ('closing_time_at_most = "-1 ms"', (), "must be zero or greater"),
-        ("rms_acceleration_at_most = 3.0", (), "a force follows a profile, with which nothing repeats"),
-        (
-            "only_drive_period = true",
-            (("[bodies]", "frequency = 50.0\n[bodies]"),),
-            "a force follows a profile, with which nothing repeats",
-        ),
-        (
-            "bounce_time_at_most = 1.0",
-            (("[bodies]", "frequency = 50.0\n[bodies]"), ("profile = [[", "amplitude = 1.0 } #")),
-            "driven and its contacts close again and again",
-        ),
+        ("rms_acceleration_at_most = 3.0", (), PROFILE),
+        ("only_drive_period = true", (DRIVEN,), PROFILE),
+        ("bounce_time_at_most = 1.0", (DRIVEN, SHAKEN), "driven and its contacts close again and again"),
     ],
 )
 def test_what_cannot_be_judged_is_refused(

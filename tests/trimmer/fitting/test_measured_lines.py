@@ -155,26 +155,21 @@ def test_units_are_those_of_the_system() -> None:
     assert micro.deviations == pytest.approx(1e-6 * found.deviations, rel=1e-6, abs=0.0)
 
 
+SINE = np.cos(2 * np.pi * 50 * TIMES)
+NOISE = np.random.default_rng(1).normal(size=COUNT)
+
+
 @pytest.mark.parametrize(
     ("signals", "told"),
     [
+        ({"a": Signal(SINE[:300], RATE, "a", "m")}, "7.5 periods of the drive.*measure"),
+        ({"a": Signal(SINE, RATE, "a", "V")}, "does not tell whether it is a displ"),
+        ({"a": Signal(SINE, 80.0, "a", "m")}, "show no drive at 50 Hz"),
         (
-            {"a": Signal(np.cos(2 * np.pi * 50 * TIMES[:300]), RATE, "a", "m")},
-            "7.5 periods of the drive.*measure",
-        ),
-        (
-            {"a": Signal(np.cos(2 * np.pi * 50 * TIMES), RATE, "a", "V")},
-            "does not tell whether it is a displ",
-        ),
-        ({"a": Signal(np.cos(2 * np.pi * 50 * TIMES), 80.0, "a", "m")}, "show no drive at 50 Hz"),
-        (
-            {each: Signal(np.ones(100 * i), RATE, each, "m") for i, each in enumerate("ab", start=1)},
+            {name: Signal(SINE[:end], RATE, name, "m") for name, end in (("a", 99), ("b", 199))},
             "unlike times",
         ),
-        (
-            {"a": Signal(np.random.default_rng(1).normal(size=COUNT), RATE, "a", "m")},
-            "no multiple of the drive at 50 Hz stands out of the noise",
-        ),
+        ({"a": Signal(NOISE, RATE, "a", "m")}, "no multiple of the drive at 50 Hz stands out of the noise"),
     ],
 )
 def test_records_that_cannot_be_used(signals: dict[str, Signal], told: str) -> None:
