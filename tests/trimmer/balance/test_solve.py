@@ -4,14 +4,7 @@ import control
 import numpy as np
 import pytest
 
-from tests.trimmer.balance.loops import (
-    FRICTION,
-    GAP,
-    LOOP_WITH_BOTH_CHANNELS,
-    THESIS_LOOP,
-    THIRD_ORDER,
-    s,
-)
+from tests.trimmer.balance.loops import FRICTION, GAP, LOOP_WITH_BOTH_CHANNELS, THESIS_LOOP, THIRD_ORDER, s
 from trimmer import CoulombFriction, FrictionBacklash, InertiaBacklash, Relay, ViscousBacklash
 from trimmer.balance import harmonic_balance, limit_cycles
 from trimmer.elements import Element, ViscousFriction

@@ -55,9 +55,7 @@ def test_outputs_of_a_motion_without_a_drive_have_its_own_harmonics() -> None:
     period = slip + 1.0 / 0.2
     times = period * (np.arange(400_000) + 0.5) / 400_000
     block = np.where(
-        times < slip,
-        0.5 + 0.5 * np.cos(times) + 0.2 * np.sin(times),
-        1.0 - 0.2 * (period - times),
+        times < slip, 0.5 + 0.5 * np.cos(times) + 0.2 * np.sin(times), 1.0 - 0.2 * (period - times)
     )
     wanted = 2.0 * abs(np.fft.fft(block)[1:16]) / len(times)
     measure = orbit.outputs["block"]

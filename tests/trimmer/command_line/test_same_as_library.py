@@ -50,10 +50,7 @@ def test_shapes_of_a_structure_are_of_its_points(printed) -> None:
     ("words", "amplitudes"),
     [
         (["logger.csv", "--gaps", "split", "--as", "displacement"], AMPLITUDES),
-        (
-            ["volts.csv", "--rate", "5000", "--scale", "10", "--unit", "g", "--as", "displacement"],
-            AMPLITUDES,
-        ),
+        (["volts.csv", "--rate", "5000", "--scale", "10", "--unit", "g", "--as", "displacement"], AMPLITUDES),
         (["jitter.csv", "--resample"], {1: 1.0}),
     ],
     ids=lambda each: each[0] if isinstance(each, list) else "",

@@ -106,10 +106,7 @@ def everything() -> Mechanism:
             "air": Friction(("ground", "cutter"), 0.0, viscous=0.1),
             "table": Friction(("belt", "motor"), 0.5),
         },
-        forces={
-            "weight": Force("cutter", 0.03),
-            "drum": Force("motor", 0.0, 2.0, 0.4, 1, 1e-6),
-        },
+        forces={"weight": Force("cutter", 0.03), "drum": Force("motor", 0.0, 2.0, 0.4, 1, 1e-6)},
         outputs={"stroke": Output({"cutter": 1.0, "motor": -1.0})},
     )
 

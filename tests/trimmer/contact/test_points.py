@@ -74,10 +74,7 @@ def test_a_gear_that_is_carried_on_advances_by_its_ratio() -> None:
         20.0,
         pins={"engine": Pin("ground", velocity=50.0, amplitude=0.01)},
         points={"pinion": Point({"shaft": -2.5})},
-        links={
-            "coupling": Link(("engine", "shaft"), 200.0, 0.1),
-            "mesh": Link(("pinion", "gear"), 5e3, 0.5),
-        },
+        links={"coupling": Link(("engine", "shaft"), 200.0, 0.1), "mesh": Link(("pinion", "gear"), 5e3, 0.5)},
         frictions={"drag": Friction(("ground", "gear"), 0.2)},
         outputs={"shaft": Output({"shaft": 1.0}), "gear": Output({"gear": 1.0})},
     )

@@ -8,10 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.trimmer.design.made import (
-    oscillator,
-    oscillator_amplitude,
-)
+from tests.trimmer.design.made import oscillator, oscillator_amplitude
 from trimmer import Mechanism, MotionKind, forced_orbit
 from trimmer.contact.flow import MechanismFlow
 from trimmer.design import HandArm, hand_arm_weighting

@@ -30,10 +30,7 @@ ALL = (
 def drawn_map(values=((1.0, 1.1, 1.4), (8.0, 10.0)), kinds=THREE, machine=None) -> trimmer.MotionMap:
     """A map whose cells have the kinds in turn."""
     inputs = MapInputs(
-        machine or impact_oscillator(),
-        ("frequency", "stops.wall.gap")[: len(values)],
-        values,
-        Settings(),
+        machine or impact_oscillator(), ("frequency", "stops.wall.gap")[: len(values)], values, Settings()
     )
     motions = [CellMotion(*kinds[number % len(kinds)], measures=MEASURES) for number in range(inputs.count)]
     return trimmer.MotionMap(

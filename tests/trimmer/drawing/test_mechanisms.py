@@ -7,14 +7,7 @@ import pytest
 
 import trimmer
 from tests.trimmer import results
-from tests.trimmer.drawing.pictures import (
-    legend,
-    lines,
-    new_axes,
-    points,
-    rubbing,
-    samples,
-)
+from tests.trimmer.drawing.pictures import legend, lines, new_axes, points, rubbing, samples
 from trimmer.drawing.mechanisms.branch import branch_figure
 from trimmer.drawing.mechanisms.response import response_figure
 from trimmer.drawing.mechanisms.scatter import sample_figure
