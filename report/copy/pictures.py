@@ -16,7 +16,7 @@ def fault_of_picture(path: Path) -> str:
             tag = ElementTree.parse(path).getroot().tag
             return "" if tag.rpartition("}")[2] == "svg" else f"its outermost element is {tag}, not svg"
         if path.suffix.lower() in PIXELS:
-            from PIL import Image  # which Matplotlib brings; seconds for the others
+            from PIL import Image  # takes long; seldom needed
 
             with Image.open(path) as picture:
                 picture.load()

@@ -15,5 +15,11 @@ class RecordError(TrimmerError, ValueError):
 
 
 def one_line(prose: str) -> str:
-    """Return prose in one line: a line break and the indent behind it are one space."""
+    """Return prose in one line: a line break and the indent behind it are one space.
+
+    Raises:
+        RecordError: if a formula stands between two dollar signs on each side, which sets it apart.
+    """
+    if "$$" in prose:
+        raise RecordError(f"a formula in prose stands between single dollar signs: {prose.strip()}")
     return SPACE.sub(" ", prose.strip(" \n"))

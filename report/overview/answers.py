@@ -49,12 +49,13 @@ def answers(known: Evidence) -> tuple[Answer, ...]:
             "How does play influence stability and performance?",
             """
             Stability is not altered; unstable limit cycles, predicted for certain sizes of play, shift to the
-            stable ones. Performance is: play adds oscillations, in proportion to its size.
+            stable ones. Performance is altered: play adds oscillations, in proportion to its size.
             """,
             f"""
-            Rest stays stable, but only nearby: the unstable limit cycle is the boundary. In the closed loop a
-            disturbance well below {unstable.amplitude:.2f} gaps dies out, a larger one grows to the
-            oscillation of {stable.amplitude:.2f} gaps. Both exist for every gap, in proportion to it.
+            Rest stays stable, but only against small disturbances: the unstable limit cycle is the boundary.
+            In the closed loop a disturbance well below {unstable.amplitude:.2f} gaps dies out, a larger one
+            grows to the oscillation of {stable.amplitude:.2f} gaps. Both exist for every gap, in proportion
+            to it.
             """,
             ("txt-5.2.1-second-limit-cycle", "txt-5.2.3-unstable-inner", "txt-5.2.1-stable"),
         ),
@@ -78,7 +79,7 @@ def answers(known: Evidence) -> tuple[Answer, ...]:
             """
             In the thesis's open loop there is no limit cycle to change. What is seen are harmonics of the
             drive: they depend on the ratio of the input amplitude to the gap, and tend to a multiple of the
-            gap when the input is much larger. For wide strokes it therefore nearly holds.
+            gap when the input is much larger. For wide strokes the thesis's answer therefore nearly holds.
             """,
             ("txt-7-input-amplitude", "txt-5.2.1-drive-amplitude"),
         ),
@@ -86,9 +87,10 @@ def answers(known: Evidence) -> tuple[Answer, ...]:
             "How does the input frequency influence stability and performance?",
             "Hardly, since stable limit cycles can only lie in the band from 733 to 815 Hz.",
             f"""
-            For the limit cycle, not at all or hardly, as said; the band is {stable.frequency:.1f} to
-            {cycles.inertia.stable.frequency:.1f} Hz. In open loop it decides which harmonics of the drive
-            meet a resonance: near 110 Hz the fifth meets the mode of Listing A.1 at 549.6 Hz.
+            It influences the limit cycle hardly or not at all, as the thesis says; but the band is
+            {stable.frequency:.1f} to {cycles.inertia.stable.frequency:.1f} Hz. In open loop it decides which
+            harmonics of the drive meet a resonance: near 110 Hz the fifth meets the mode of Listing A.1 at
+            549.6 Hz.
             """,
             ("txt-7-input-frequency", "txt-5.2.3-band", "txt-5.1.3-first-resonance"),
         ),
@@ -96,10 +98,11 @@ def answers(known: Evidence) -> tuple[Answer, ...]:
             "How does the predicted limit cycle show in the output?",
             "As an oscillation on top of the driven one in open loop, and alone in the closed loop.",
             f"""
-            In the closed loop alone, as said; harmonic balance predicts its amplitude to {error:.1%}. In open
-            loop not at all: a stable linear system behind play that only passes the pin's displacement on
-            settles to the period of the drive. The peaks read as limit cycles are harmonics of the drive,
-            natural modes that have not yet decayed, or, by their numbers, those of a loop that was closed.
+            In the closed loop it appears alone, as the thesis says; harmonic balance predicts its amplitude
+            to {error:.1%}. In open loop it does not appear: a stable linear system behind play that only
+            passes the pin's displacement on settles to the period of the drive. The peaks read as limit
+            cycles are harmonics of the drive, natural modes that have not yet decayed, or, to judge by their
+            numbers, peaks of a closed loop.
             """,
             ("txt-5.2.1-open-loop-peak", "txt-7-subharmonics", "txt-3.3-peak-550", "txt-3.3-peak-366"),
         ),

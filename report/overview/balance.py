@@ -26,12 +26,11 @@ def balance(known: Evidence) -> tuple[Matter, ...]:
         ),
         _matter(
             "Describing functions",
-            "Those of play with a load held by friction and with a load that flies on are right, and so is "
+            "Those of play are right for a load that friction holds and for one that flies on, and so is "
             "that of dry friction.",
             ("eq-2.38", "eq-2.43", "eq-2.52", "txt-2.3.4-contact-angle"),
-            "One sign is wrong where the load is braked in proportion to its speed, and spreads into a "
-            "listing and a figure. Friction has the wrong sign where it joins the play: it would feed the "
-            "oscillation.",
+            "For a load with viscous friction one sign is wrong, and with it a listing and a figure. Where "
+            "dry friction joins the play, it has the wrong sign: it would feed the oscillation.",
             ("eq-2.46", "txt-5.2.5-coulomb-term", "lst-A.6"),
         ),
         _matter(
@@ -46,7 +45,7 @@ def balance(known: Evidence) -> tuple[Matter, ...]:
                 "txt-5.2.3-band",
                 "txt-5.2.3-unstable-inner",
             ),
-            "There is no smallest gap. Both are there for every gap. A driven trimmer has neither: nothing "
+            "There is no smallest gap: both exist for every gap. A driven trimmer has neither, since nothing "
             "feeds its output back to the pin.",
             ("txt-5.2.1-threshold", "txt-5.2.1-second-limit-cycle", "txt-5.2.1-open-loop-peak"),
         ),
@@ -54,10 +53,10 @@ def balance(known: Evidence) -> tuple[Matter, ...]:
             "Friction",
             "Enough dry friction between cutter and guard ends the limit cycles.",
             ("txt-7-coulomb", "txt-3.3-friction-suppresses"),
-            f"That takes {in_place:.1f} N at 0.2 mm, more than there was. The limit cycle printed for 0.6 N "
-            f"and 4 µm, at 737.514 Hz, does not exist: for this gap friction ends it at {small:.2g} N, and "
-            f"without friction it is at {stable.frequency:.1f} Hz. Friction does not dominate the cutter's "
-            "inertia.",
+            f"That takes {in_place:.1f} N at 0.2 mm, more than the thesis assumes. The limit cycle printed "
+            f"for 0.6 N and 4 µm, at 737.514 Hz, does not exist: for this gap friction ends it at "
+            f"{small:.2g} N, and without friction it is at {stable.frequency:.1f} Hz. Friction does not "
+            "dominate the cutter's inertia.",
             ("txt-5.2.5-prediction", "txt-7-coulomb-evidence", "txt-6.3-friction-dominates"),
         ),
         _matter(

@@ -37,9 +37,9 @@ SHORT = 12
 INTERRUPTED = 130
 
 
-def work_folder(parent: Path = WORK) -> Path:
+def work_folder() -> Path:
     """Return the folder of the maps that are under way with the code as it is now."""
-    return parent / SourceTree.read().digest([COMPUTES])[:SHORT]
+    return WORK / SourceTree.read().digest([COMPUTES])[:SHORT]
 
 
 def make(work: Path, folder: Path = FOLDER, grids: Sequence[Grid] = GRIDS) -> None:

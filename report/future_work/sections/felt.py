@@ -63,8 +63,8 @@ def answer(_: Evidence) -> Observed:
         Weighted as ISO 5349-1 does for the hand, the housing of the trimmer driven at {SPEED:.0f} Hz has
         {still:.2f} m/s² without play and friction. {FORCES[-1]:.0f} N of friction make it {rubbing:.2f} m/s²;
         play up to {MICRO * SMALL:.0f} µm adds at most {added - 1:.0%} at any friction. Larger play can make
-        {beyond[4] / cells(beyond[2])[0][4]:.1f} times as much, as {MICRO * beyond[1]:.0f} µm with
-        {beyond[2]:g} N do. The most of {len(every)} cells is {worst[4]:.1f} m/s², with
+        it {beyond[4] / cells(beyond[2])[0][4]:.1f} times as large, at {MICRO * beyond[1]:.0f} µm with
+        {beyond[2]:g} N. The largest of {len(every)} cells is {worst[4]:.1f} m/s², with
         {MICRO * worst[1]:.0f} µm and {worst[2]:g} N.
         The action value of {ACTION} m/s² over {DAY:.0f} hours is {ACTION * np.sqrt(DAY / USE):.0f} m/s² for
         {60 * USE:.0f} minutes a day: no cell comes near. {CALM:.0f} Hz, where the motor is calm, is felt
@@ -112,11 +112,11 @@ def how(_: Evidence) -> Observed:
 def limits(known: Evidence) -> Observed:
     p = known.numbers.parameters
     yield text(f"""
-        No hand holds this housing: the models of ISO 10068 were not at hand with their numbers, and a number
-        that was not read is not made up. With {1e3 * p.m3:.0f} g in Listing A.1 the housing is far lighter
+        No hand holds this housing: the numbers of the models of ISO 10068 could not be read, and none was
+        made up. With {1e3 * p.m3:.0f} g in Listing A.1 the housing is far lighter
         than any hand, so a hand will change what is felt. One direction of three is
-        modelled. $W_h$ ranks the risk of injury; how unpleasant a vibration is has no such scale. Friction
-        is between cutter and guard alone.
+        modelled. $W_h$ weighs the risk of injury, not how unpleasant a vibration is. Friction is between
+        cutter and guard alone.
     """)
     yield so("mass of the housing against that of the others", p.m3 < min(p.m1, p.m4))
 

@@ -65,12 +65,12 @@ def answer(_: Evidence) -> Observed:
     yield text(f"""
         The describing function puts the stable limit cycle with friction-controlled play at {first[1]:.2f} Hz
         and {first[2]:.3f} gaps; with the third harmonic in the balance it is {third[1]:.2f} Hz and
-        {third[2]:.3f} gaps, and the exact orbit has {exact[1]:.2f} Hz and {exact[2]:.3f} gaps. Half as much
-        again as the third harmonic changes is a band, here {first[1]:.2f} ± {band[1]:.2f} Hz and
-        {first[2]:.3f} ± {band[2]:.3f} gaps, that holds the exact value of all four limit cycles. The
+        {third[2]:.3f} gaps, and the exact orbit has {exact[1]:.2f} Hz and {exact[2]:.3f} gaps. A band of
+        {BAND} times the change by the third harmonic on either side, here {first[1]:.2f} ± {band[1]:.2f} Hz
+        and {first[2]:.3f} ± {band[2]:.3f} gaps, holds the exact values of all four limit cycles. The
         describing function errs most, by {largest:.0%}, in the amplitude of the unstable one with
         inertia-controlled play. With harmonics up to the ninth the relative error of all frequencies is at
-        most ${power_of(ninth)}$.
+        most {power_of(ninth)}.
     """)
     yield so("frequency and amplitude of four exact orbits lie in the bands", shares_of_band().max() < BAND)
 

@@ -52,7 +52,7 @@ def imbalance(time: float, frequency: float, amplitude: float) -> float:
 @observation(
     "future-load-answer",
     source=NUMBERS,
-    title="A frequency tells it, in a narrow band and with a long record.",
+    title="A frequency tells it, but only in a narrow band and from a long record.",
 )
 def answer(_: Evidence) -> Observed:
     stable = curves(True)
@@ -122,8 +122,8 @@ def limits(known: Evidence) -> Observed:
     reach = unstable[:, 1].min(), unstable[:, 1].max()
     yield text(f"""
         M and D apart: only their ratio enters. The gap: no frequency depends on it, and an amplitude tells it
-        only once M/D is known. M/D near either end, where the frequency stands still: there is a bound, not a
-        value. The unstable limit cycles, between {reach[0]:.0f} and {reach[1]:.0f} Hz, are not seen. Dry
+        only once M/D is known. M/D near either end, where the frequency hardly changes: there is a bound and
+        no value. The unstable limit cycles, between {reach[0]:.0f} and {reach[1]:.0f} Hz, are not seen. Dry
         friction between cutter and guard lowers the frequency too, down to {fold:.0f} Hz before the limit
         cycle ends; so what lies below {stable[0, 1]:.1f} Hz, as the 733.3 Hz of section 5.2 do, fits friction
         and no M/D. Such a measurement needs the loop of section 5.2, closed by a controller: the driven

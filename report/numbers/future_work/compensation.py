@@ -67,12 +67,12 @@ def loop_with_too_much(share: float) -> Feedback:
     return Feedback(plant, {"play": FrictionBacklash(GAP), "relay": Relay((share - 1) * FRICTION)})
 
 
-def fed_forward(share: float, force: float = FRICTION, gap: float = GAP) -> Mechanism:
+def fed_forward(share: float) -> Mechanism:
     """Return the twin with a share of its friction fed forward with the sign of the pin's velocity."""
-    machine = twin(gap, force)
+    machine = twin(GAP, FRICTION)
 
     def waves(sign: float) -> tuple[tuple[float, float, float], ...]:
-        size = sign * share * force * 4 / math.pi
+        size = sign * share * FRICTION * 4 / math.pi
         return tuple(
             (float(order), size / order * (-1) ** (order // 2), math.pi / 2)
             for order in range(1, HIGHEST + 1, 2)

@@ -123,7 +123,7 @@ LINES: Final = (
         NOMINAL,
         _near,
         BOUNDED,
-        (Bound("the motor may have 230 m/s², though never more than 260", MOTOR, at_most=260.0),),
+        (Bound("the motor may reach 230 m/s², though at most 260", MOTOR, at_most=260.0),),
     ),
 )
 """What is advised, in the order of the first screen."""

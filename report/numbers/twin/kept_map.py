@@ -174,11 +174,6 @@ class KeptMap:
         rows = [[np.nan if each is None else each for each in cell.measures] for cell in self.cells]
         return np.array(rows, dtype=float).T.reshape(len(MEASURES), *self.shape)
 
-    def place_of(self, first: float, second: float) -> tuple[int, int]:
-        """Return row and column of the cell nearest to two values."""
-        columns, rows = self.values
-        return int(abs(rows - second).argmin()), int(abs(columns - first).argmin())
-
 
 def write_map(grid: Grid, cells: list[CellResult], beside: list[CellResult], folder: Path = FOLDER) -> None:
     """Keep a map; ``beside`` are its cells from a start next to rest."""

@@ -75,8 +75,8 @@ def side(known: Evidence) -> Observed:
     yield text(f"""
         The two bridges lie on different sides of the pin for {shares[0]:.0%} of the time at 40 µm and 0.5 N,
         for {CHAOTIC_SHARE[0]:.0%} to {CHAOTIC_SHARE[1]:.0%} at 0.2 mm and 0.5 N, and for {shares[2]:.0%} at
-        0.2 mm and 2 N: they are then apart by up to the whole gap. The thesis changes sides when the pin
-        turns round; the twin does when the force changes its sign.
+        0.2 mm and 2 N: they are then apart by up to the whole gap. In the thesis's model the
+        bridge changes sides when the pin turns round, in the twin when the force changes its sign.
     """)
     yield so(
         "bridge relative to motor in both models, at one phase of the pin, until the motion repeats or over "
@@ -97,8 +97,9 @@ def reaction(known: Evidence) -> Observed:
         The motor's acceleration (root mean square) is {small_gap[0]:.0f} m/s² in the thesis's model and
         {small_gap[1]:.0f} m/s² in the twin at 40 µm and 0.5 N; {large[0]:.0f} and
         {CHAOTIC_ACCELERATION[0]:.0f} to {CHAOTIC_ACCELERATION[1]:.0f} m/s² at 0.2 mm and 0.5 N;
-        {rubbing[0]:.0f} and {rubbing[1]:.0f} m/s² at 0.2 mm and 2 N. The bridge that can pull and is held
-        shakes the motor of the second case more than {TIMES:.0f} times as much as one that can only push.
+        {rubbing[0]:.0f} and {rubbing[1]:.0f} m/s² at 0.2 mm and 2 N. In the second case the thesis's bridge,
+        which can pull and stays put, shakes the motor more than {TIMES:.0f} times as much as one that can
+        only push.
     """)
     yield so(
         "accelerations from the forces on the motor in one model and over the exact motion in the other",

@@ -52,7 +52,7 @@ def reach(known: Evidence) -> Observed:
         {1e6 * float(friction.first[1]):.0f} µm, is chaotic already. For 40 µm it takes
         {known.twin.friction_for_small_gap:.1f} N or more, for 0.2 mm
         {known.twin.friction_for_experiment:.1f} N: friction below 1 N does not bring 0.2 mm to the drive's
-        period. What holds over a range of speeds is [told to the designer](#twin-design).
+        period. What holds over a range of speeds stands [with the advice](#twin-design).
     """)
     yield so("these are few, and they are those named", others == len(_doubled(friction)) + _tori(friction))
     yield so("the cell without friction is chaotic", bool(friction.chaotic[0, 1]))
@@ -82,7 +82,7 @@ def speed(known: Evidence) -> Observed:
         With 0.5 N, over drives from 60 to 200 Hz, {numbers.shares["one"]:.0%} of {numbers.cells} cells repeat
         with the drive and {numbers.shares["chaotic"]:.0%} are chaotic. The gap up to which the drive's period
         lasts changes from {slower:.0f} µm at 100 Hz over {at_drive:.0f} µm at 110 Hz to {faster:.0f} µm at
-        120 Hz: the edge is ragged, and 10 Hz decide. One band is calm: from 146 to 164 Hz all
+        120 Hz: the edge is ragged, and 10 Hz count. One band is calm: from 146 to 164 Hz all
         {int(calm.sum())} cells up to 0.18 mm repeat with the drive. At 74 Hz all gaps up to 0.5 mm do, but
         not at 72 or 76 Hz, so nobody should aim at it. Gaps up to {1e6 * numbers.common_reach:.0f} µm do at
         all speeds.

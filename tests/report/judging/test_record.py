@@ -37,6 +37,7 @@ def test_a_record_gives_its_claim_in_the_order_of_its_parts():
         (lambda: [], "txt-2 has 0 texts"),
         (lambda: [text("Right.")] * 2, "txt-2 has 2 texts"),
         (lambda: [text("One.\n\nTwo.\n\nThree.")], "3 paragraphs"),
+        (lambda: [text("At most $$6$$.")], r"single dollar signs: At most \$\$6\$\$\."),
     ],
 )
 def test_what_is_wrong_with_a_record_is_named_with_the_claim(items, told):

@@ -20,9 +20,9 @@ def tabulated() -> tuple[str, ...]:
     return (*TABLE_1.values(), *(cell for row in TABLE_2.values() for cell in row))
 
 
-def nearest_bin(frequency: float | str, samples: int = FRAMES_OF_TABLES) -> int:
+def nearest_bin(frequency: float | str) -> int:
     """Return the number of the bin nearest to a frequency (Hz)."""
-    return round(Fraction(frequency) * samples / SAMPLE_RATE)
+    return round(Fraction(frequency) * FRAMES_OF_TABLES / SAMPLE_RATE)
 
 
 def on_a_bin(printed: str) -> bool:

@@ -228,7 +228,7 @@ def no_limit_cycle(known: Evidence) -> Record:
     yield text("""
         What is printed as found, no limit cycle in either experiment, is what the model demands for every gap
         and friction: a driven trimmer has none where play only passes the pin's displacement on, as in the
-        thesis. Only the remark that the describing function let expect one is wrong. The thesis says itself
+        thesis. Only the remark that the describing function promised one is wrong. The thesis says itself
         that nothing came of it, and draws no conclusion from it, so the card is graded as a slip. A bridge
         that rattles in its play with a mass of its own is outside of that model and of this proof; what it
         does is computed in the chapter on the real trimmer.

@@ -65,10 +65,10 @@ def peak_350(known: Evidence) -> Record:
         "which it is in the experiment's trimmer", "this peak belongs to a limit cycle", missing
     )
     yield text(f"""
-        The text takes the peak for a limit cycle because it is there for every gap. Natural modes do not know
-        the gap either: the loop with Listing A.1, released inside of its play, dies out with a peak at its
-        second natural mode, whatever the gap and the sooner the more friction. Released outside it goes on at
-        {goes_on:.0f} Hz. For the experiment's trimmer section 3.2 itself predicts a limit cycle at
+        The text takes the peak for a limit cycle because it is there for every gap. Natural modes do not
+        depend on the gap either: the loop with Listing A.1, released inside of its play, dies out with a peak
+        at its second natural mode, whatever the gap and the sooner the more friction. Released outside it
+        goes on at {goes_on:.0f} Hz. For the experiment's trimmer section 3.2 itself predicts a limit cycle at
         {PREDICTED} Hz, not near {PEAK} Hz.
 
         The peak reads as a natural mode that is dying out. Chapter 7 takes from this section that friction

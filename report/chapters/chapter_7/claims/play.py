@@ -144,6 +144,6 @@ def models(known: Evidence) -> Record:
         thesis's own, which are {100 * (high / low - 1):.0f} % apart. Coulomb friction alone has none, as
         section 5.2.4 says; the sentence is read as one on the models with play. The recommendation to use
         friction-controlled backlash holds: its frequency is within {100 * (highest / lowest - 1):.1f} % of
-        any other load's, its amplitude at most {100 * (largest / simplest - 1):.1f} % too small and, for a
+        any other load's, its amplitude at most {100 * (1 - simplest / largest):.1f} % too small and, for a
         load of inertia alone, {100 * (simplest / smallest - 1):.0f} % too large, which is the safe side.
     """)
