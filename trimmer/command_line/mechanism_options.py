@@ -44,7 +44,7 @@ def note_controllers(file: Path, mechanism: Mechanism) -> None:
     if not mechanism.controllers:
         return
     from trimmer.contact.control_loops import instability_told
-    from trimmer.mechanism.controls.idle import idle_controllers
+    from trimmer.mechanism.controls.controllers import idle_controllers
 
     for told in (*idle_controllers(mechanism.controllers), instability_told(mechanism)):
         if told:

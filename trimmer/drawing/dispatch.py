@@ -20,7 +20,7 @@ PICTURES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "branches": ("mechanisms.branch", "mechanisms.curves"),
         "elements": ("describing_function",),
         "fitting": ("signals.fit",),
-        "linear": ("frequency_response", "time_response"),
+        "linear": ("frequency_response",),
         "maps": ("mechanisms.curves", "mechanisms.motion_map", "mechanisms.sweep"),
         "loops": ("loop_motion",),
         "orbits": ("orbit",),

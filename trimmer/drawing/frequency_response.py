@@ -1,4 +1,4 @@
-"""Magnitude and phase of a frequency response over frequency, with peaks and dips."""
+"""Magnitude and phase of a frequency response over frequency, with peaks and dips; responses over time."""
 
 from typing import Any
 
@@ -8,11 +8,14 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MultipleLocator
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.drawing.axes import label
+from trimmer.drawing.axes import add_legend, label
 from trimmer.drawing.content import head, new_figure
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.frequencies import telling_frequencies
-from trimmer.drawing.look import BLACK, DOTTED, line
+from trimmer.drawing.look import BLACK, DOTTED, line, plain_label
+from trimmer.drawing.signals.samples import finish_time, thinned
+from trimmer.drawing.units import name_axis
+from trimmer.linear.in_time import TimeResponse
 from trimmer.linear.summary import LinearSummary
 
 TURN = 2.0 * np.pi
@@ -55,3 +58,13 @@ def summary_figure(summary: LinearSummary) -> Figure:
     lower.yaxis.set_major_locator(MultipleLocator(90.0))
     head(figure, f"From the pin to {summary.output.label}")
     return figure
+
+
+@draw.register(TimeResponse)
+def draw_time_response(response: TimeResponse, axes: Axes) -> None:
+    """Draw inputs and outputs over time, s."""
+    for number, (name, values) in enumerate(response.named.items()):
+        axes.plot(*thinned(response.time, values), label=plain_label(name), **line(number))
+    finish_time(axes)
+    name_axis(axes.yaxis, "signal, in its unit", "")
+    add_legend(axes)

@@ -13,8 +13,16 @@ from trimmer.signals.band import EVERYWHERE, Band
 from trimmer.signals.signal import SignalError
 from trimmer.spectra.close_lines import SpectralLine
 from trimmer.spectra.line_groups import resolved_lines
-from trimmer.spectra.lines import NONE, Lines, added, bins_near, leakage, relaxed
-from trimmer.spectra.noise import NEIGHBOURHOOD, noise_threshold
+from trimmer.spectra.lines import (
+    NEIGHBOURHOOD,
+    NONE,
+    Lines,
+    added,
+    bins_near,
+    leakage,
+    noise_threshold,
+    relaxed,
+)
 from trimmer.spectra.spectrum import Spectrum
 
 MOST_PEAKS = 200  # Most peaks that are looked for, the largest; it bounds the time
@@ -82,7 +90,7 @@ def peaks(
         spectrum: The spectrum.
         limit: Return this many, the largest; all if not given.
         smallest: Smallest amplitude, relative to the largest bin.
-        false_alarm: Probability that white noise alone gives a peak (``trimmer.spectra.noise``).
+        false_alarm: Probability that white noise alone gives a peak (``trimmer.spectra.lines``).
         band: Frequencies in which peaks are given; others are only taken off.
 
     Returns:

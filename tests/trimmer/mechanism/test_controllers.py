@@ -17,7 +17,7 @@ from trimmer.mechanism import (
     StepReference,
     TransferController,
 )
-from trimmer.mechanism.controls.idle import idle_controllers
+from trimmer.mechanism.controls.controllers import idle_controllers
 
 TEXT = """\
 [bodies]

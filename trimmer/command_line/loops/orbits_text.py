@@ -6,9 +6,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.json_values import document, picked
-from trimmer.command_line.loops.certificate_text import certificate_as_json, certificate_as_text
-from trimmer.command_line.table import table
-from trimmer.showing.rounding import or_rounding
+from trimmer.command_line.loops.limit_cycles_text import certificate_as_json, certificate_as_text
+from trimmer.command_line.table import or_rounding, table
 
 if TYPE_CHECKING:
     from trimmer.balance.limit_cycle import HarmonicBalance, LimitCycle

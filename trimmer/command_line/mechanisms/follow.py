@@ -7,8 +7,13 @@ from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, check_targets, show
-from trimmer.command_line.mechanisms.map_options import add_interval_options, chosen_interval
-from trimmer.command_line.mechanisms.measure_option import Targets, add_measure_option, chosen_measures
+from trimmer.command_line.mechanisms.map_options import (
+    Targets,
+    add_interval_options,
+    add_measure_option,
+    chosen_interval,
+    chosen_measures,
+)
 from trimmer.command_line.number_options import add_count
 from trimmer.command_line.output_options import add_output_options, write_picture
 from trimmer.command_line.parser import OptionError, exit_code, refuse_unused, tell

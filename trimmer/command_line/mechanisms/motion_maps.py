@@ -9,8 +9,14 @@ from typing import TYPE_CHECKING
 from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, add_overwrite_option, check_targets, show
 from trimmer.command_line.mechanism_options import add_seed_option
-from trimmer.command_line.mechanisms.map_options import EXAMPLE, FORM, varied_values
-from trimmer.command_line.mechanisms.measure_option import Targets, add_measure_option, chosen_measures
+from trimmer.command_line.mechanisms.map_options import (
+    EXAMPLE,
+    FORM,
+    Targets,
+    add_measure_option,
+    chosen_measures,
+    varied_values,
+)
 from trimmer.command_line.number_options import add_count
 from trimmer.command_line.output_options import (
     add_file_option,

@@ -7,12 +7,11 @@ from typing import TYPE_CHECKING, Any
 from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.mechanisms.respond_text import rest_lines
 from trimmer.command_line.motion_summary import amplitudes, last_times, summary_lines
-from trimmer.command_line.table import table
+from trimmer.command_line.table import or_rounding, table
 from trimmer.mechanism.cut_waveforms import told_of_waveforms, waveforms_left_out
 from trimmer.messages import listed
 from trimmer.motion.units import with_unit
 from trimmer.response.response_json import rest_json
-from trimmer.showing.rounding import or_rounding
 
 if TYPE_CHECKING:
     from trimmer.response import MechanismEnergy, MechanismMotion

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.json_values import document
-from trimmer.command_line.table import table
+from trimmer.command_line.table import or_rounding, table
 from trimmer.mechanism.cut_waveforms import told_of_waveforms
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.units import with_unit
@@ -15,7 +15,6 @@ from trimmer.response.flows import flow_of
 from trimmer.response.pace import pace_of, period_word
 from trimmer.response.response import MotionKind
 from trimmer.response.response_json import response_json
-from trimmer.showing.rounding import or_rounding
 from trimmer.showing.shown import counted
 
 if TYPE_CHECKING:

@@ -16,8 +16,7 @@ from trimmer.elements.backlashes.backlash_motion import (
     position,
     slope_by_ratio,
 )
-from trimmer.elements.backlashes.contact_equation import largest_ratio, steady_motion
-from trimmer.elements.backlashes.short_flight import relative_velocity
+from trimmer.elements.backlashes.contact_equation import largest_ratio, relative_velocity, steady_motion
 from trimmer.elements.element import Bounds, Element, Limits
 from trimmer.elements.expansion import Expansion
 from trimmer.elements.small_arguments import SMALL

@@ -4,6 +4,9 @@ With gamma = omega M/D, c = cos θ_s and s = sin θ_s at the separation phase at
 g/A = c gamma (1 - exp(-t/gamma)) - c sin t + s (1 - cos t). Its derivative is the relative velocity, positive
 on (0, π), so there is one flight for each g/A up to that of t = π. The equation is solved for t up to a
 quarter period, where it is convex, and beyond it for the contact π - t, from the distance to the largest g/A.
+
+Flights of t <= SMALL and x = t/gamma <= SMALL, rad, have series of their own: to first order g/A is
+c (1 + 1/gamma²) t³/6, while its terms as written are of the order of t, and lose their digits.
 """
 
 from collections.abc import Callable
@@ -12,8 +15,13 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.elements.backlashes.backlash_motion import BacklashMotion, separation
-from trimmer.elements.backlashes.short_flight import short_residual
-from trimmer.elements.small_arguments import SMALL
+from trimmer.elements.small_arguments import (
+    SMALL,
+    cosine_remainder,
+    decay_integral_remainder,
+    decay_remainder,
+    sine_remainder,
+)
 
 Residual = tuple[Reals, Reals, Reals]
 
@@ -125,3 +133,31 @@ def _contact_residual(angle: Reals, margin: Reals, gamma: Reals, cosine: Reals, 
     value = cosine * sine_of_angle + sine * versine + travel - margin
     slope = cosine * (decay + 1.0 - versine) + sine * sine_of_angle
     return value, slope, sine * (decay + 1.0 - versine) - cosine * sine_of_angle
+
+
+def short_residual(flight: Reals, ratio: Reals, gamma: Reals, cosine: Reals) -> tuple[Reals, Reals, Reals]:
+    """Evaluate g/A of a short flight less a given ratio, and its first and second derivative by the flight.
+
+    All arrays have shape (n,); the flight is in rad.
+    """
+    t, x = _limited(flight, gamma)
+    braking = x**2 * t * decay_integral_remainder(x)
+    turning = t**3 * sine_remainder(t) - x * t**3 * cosine_remainder(t)
+    curvature = np.sin(t) + (np.cos(t) - np.exp(-x)) / gamma
+    return cosine * (braking + turning) - ratio, relative_velocity(flight, gamma, cosine), cosine * curvature
+
+
+def relative_velocity(flight: Reals, gamma: Reals, cosine: Reals) -> Reals:
+    """Evaluate the load's velocity less the pin's over A omega, c (exp(-x) - cos t + sin t / gamma).
+
+    All arrays have shape (n,); the flight is in rad.
+    """
+    t, x = _limited(flight, gamma)
+    braking = x**2 * decay_remainder(x)
+    turning = t**2 * (0.5 - t**2 * cosine_remainder(t)) - x * t**2 * sine_remainder(t)
+    return cosine * (braking + turning)
+
+
+def _limited(flight: Reals, gamma: Reals) -> tuple[Reals, Reals]:
+    """Return t and t/gamma, limited to where the series hold (callers use no other entries)."""
+    return np.minimum(flight, SMALL), np.minimum(flight / gamma, SMALL)
