@@ -10,11 +10,9 @@ from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_mat, fmpq_poly
 from trimmer.proof.outcome import UndecidedError, require_time
 from trimmer.proof.statement import Coefficients, Matrices
 
-PRECISION = 192
-"""Bits of the midpoints of balls; 53 would be those of doubles."""
+PRECISION = 192  # Bits of the midpoints of balls; 53 would be those of doubles
 MOST_PIECES = 4000
-UNEVEN = 0.4871
-"""Where an interval is divided: a root stands on no such place by chance."""
+UNEVEN = 0.4871  # Where an interval is divided: a root stands on no such place by chance
 I = acb(0, 1)  # noqa: E741
 with ctx.workprec(PRECISION):
     PI = arb.pi()

@@ -13,10 +13,8 @@ from trimmer.proof.plane import Plane
 from trimmer.proof.proportional import Solution, keeps_direction, solutions
 from trimmer.proof.statement import Coefficients, LimitCycles, Matrices, Place
 
-NEAR = 1e-9
-"""Relative distance between a solution and its place in the list up to which it is the one listed."""
-ROUNDED = 1e-6
-"""Relative distance up to which the list may only be less precise than it should be."""
+NEAR = 1e-9  # Relative distance between a solution and its place in the list up to which it is the one listed
+ROUNDED = 1e-6  # Relative distance up to which the list may only be less precise than it should be
 
 
 def check_limit_cycles(data: LimitCycles) -> str:

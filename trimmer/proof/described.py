@@ -29,22 +29,16 @@ from trimmer.proof.statement import FROM_ZERO, NUMBERS, WITHOUT, Term
 
 @dataclass
 class Parts:
-    """What an element is made of, all numbers exact.
+    """What an element is made of, all numbers exact."""
 
-    Attributes:
-        gain: Linear part of N.
-        damping: N holds j omega times this.
-        square: Real and imaginary part of c.
-        corners: Weight w and threshold x of each.
-        relays: Level, inputs at which it switches on and off.
-        plays: Weight, gap, time constant (None: infinite), and the frequency at which N is frozen, or None.
-    """
-
-    gain: fmpq = field(default_factory=lambda: fmpq(0))
-    damping: fmpq = field(default_factory=lambda: fmpq(0))
+    gain: fmpq = field(default_factory=lambda: fmpq(0))  # Linear part of N
+    damping: fmpq = field(default_factory=lambda: fmpq(0))  # N holds j omega times this
+    # Real and imaginary part of c
     square: tuple[fmpq, fmpq] = field(default_factory=lambda: (fmpq(0), fmpq(0)))
-    corners: list[tuple[fmpq, fmpq]] = field(default_factory=list)
+    corners: list[tuple[fmpq, fmpq]] = field(default_factory=list)  # Weight w and threshold x of each
+    # Level, inputs at which it switches on and off
     relays: list[tuple[fmpq, fmpq, fmpq]] = field(default_factory=list)
+    # Weight, gap, time constant (None: infinite), and the frequency at which N is frozen, or None
     plays: list[tuple[fmpq, fmpq, fmpq | None, fmpq | None]] = field(default_factory=list)
 
     @classmethod

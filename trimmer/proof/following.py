@@ -22,14 +22,10 @@ from trimmer.proof.balls import about, exact, real
 from trimmer.proof.outcome import UndecidedError, require_time
 from trimmer.proof.statement import Course, Equations, Row, StatedSpecialPoint
 
-MOST_TERMS = 36
-"""Of Taylor's polynomials over what an event is later than computed."""
-BY_LAW = 1e-9
-"""Share of its terms below which something is taken for what the law says: zero."""
-MOST_STEPS = 6000
-"""Of a segment."""
-RADIUS = -150
-"""Power of two of the radius of the ball of starts, as a share of the sizes."""
+MOST_TERMS = 36  # Of Taylor's polynomials over what an event is later than computed
+BY_LAW = 1e-9  # Share of its terms below which something is taken for what the law says: zero
+MOST_STEPS = 6000  # Of a segment
+RADIUS = -150  # Power of two of the radius of the ball of starts, as a share of the sizes
 
 
 def matrix(rows: Sequence[Row]) -> arb_mat:
@@ -39,35 +35,21 @@ def matrix(rows: Sequence[Row]) -> arb_mat:
 
 @dataclass(frozen=True)
 class Segment:
-    """One piece of the motion.
+    """One piece of the motion."""
 
-    Attributes:
-        flow: M, (N, N).
-        functions: The event functions, (f, N).
-        reset: What becomes of Z before it, (N, N).
-        duration: As computed, s.
-        fired: The event function that ends it; None for the last one.
-        together: Others that are a multiple of it for all Z that this mode can have.
-        zeros: How many derivatives of event functions vanish at its start, counting the zeroth.
-        at: When it ends if a clock ends it, s from the start; None for any other.
-        strict: What is positive then, (m, N).
-        n: How many of Z are states.
-        sizes: Of Z, N.
-        lifted: The first three for Z and its derivative by a number: that above, and Z below, (2N,); where
-            nothing is varied, they are themselves.
-    """
-
-    flow: arb_mat
-    functions: arb_mat
-    reset: arb_mat
-    duration: arb
-    fired: int | None
-    together: tuple[int, ...]
-    zeros: dict[int, int]
-    at: arb | None
-    strict: arb_mat | None
-    n: int
-    sizes: list[arb]
+    flow: arb_mat  # M, (N, N)
+    functions: arb_mat  # The event functions, (f, N)
+    reset: arb_mat  # What becomes of Z before it, (N, N)
+    duration: arb  # As computed, s
+    fired: int | None  # The event function that ends it; None for the last one
+    together: tuple[int, ...]  # Others that are a multiple of it for all Z that this mode can have
+    zeros: dict[int, int]  # How many derivatives of event functions vanish at its start, counting the zeroth
+    at: arb | None  # When it ends if a clock ends it, s from the start; None for any other
+    strict: arb_mat | None  # What is positive then, (m, N)
+    n: int  # How many of Z are states
+    sizes: list[arb]  # Of Z, N
+    # The first three for Z and its derivative by a number: that above, and Z below, (2N,); where nothing is
+    # varied, they are themselves
     lifted: tuple[arb_mat, arb_mat, arb_mat]
 
     @cached_property
@@ -107,40 +89,24 @@ class Segment:
 
 @dataclass(frozen=True)
 class Followed:
-    """A motion from a ball of starts.
+    """A motion from a ball of starts."""
 
-    Attributes:
-        starts: Z at the start of each segment, (N, 1).
-        ends: Z at its end, (N, 1).
-        lates: What is to be added to the duration of each, s.
-        back: The states at the end, or their mirror image if that is to be the start, n.
-        change: Their derivative by what is unknown, n rows.
-    """
-
-    starts: list[arb_mat]
-    ends: list[arb_mat]
-    lates: list[arb]
-    back: list[arb]
-    change: list[list[arb]]
+    starts: list[arb_mat]  # Z at the start of each segment, (N, 1)
+    ends: list[arb_mat]  # Z at its end, (N, 1)
+    lates: list[arb]  # What is to be added to the duration of each, s
+    back: list[arb]  # The states at the end, or their mirror image if that is to be the start, n
+    change: list[list[arb]]  # Their derivative by what is unknown, n rows
 
 
 @dataclass(frozen=True)
 class Tables:
-    """The numbers of the equations, in the units, or by how much they change with a number.
+    """The numbers of the equations, in the units, or by how much they change with a number."""
 
-    Attributes:
-        flows: M of each mode.
-        functions: Event functions of each mode.
-        resets: What becomes of Z before each segment.
-        forcing: What forces the states at the start.
-        period: How long all takes, s; 0 if that is unknown.
-    """
-
-    flows: list[arb_mat]
-    functions: list[arb_mat]
-    resets: list[arb_mat]
-    forcing: arb_mat
-    period: arb
+    flows: list[arb_mat]  # M of each mode
+    functions: list[arb_mat]  # Event functions of each mode
+    resets: list[arb_mat]  # What becomes of Z before each segment
+    forcing: arb_mat  # What forces the states at the start
+    period: arb  # How long all takes, s; 0 if that is unknown
 
     def combined(self, share: arb | fmpq, other: Tables) -> Tables:
         """Return the sum of these and a share of others."""

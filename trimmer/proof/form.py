@@ -11,8 +11,7 @@ from trimmer.proof.following import BY_LAW, BallMotion, Followed, identity, modu
 from trimmer.proof.outcome import RefutedError, UndecidedError
 from trimmer.proof.statement import Course
 
-TOGETHER = 1e-9
-"""Share of a sample within which what a clock does is at one instant."""
+TOGETHER = 1e-9  # Share of a sample within which what a clock does is at one instant
 
 
 def require_form(motion: BallMotion) -> None:

@@ -22,14 +22,11 @@ from trimmer.response.orbit import Orbit
 
 LEAST = 1e-6
 """Size of a state as a share of the largest of its kind that it has at least: below that it hardly moves."""
-INSTANTS = 256
-"""Of a motion, at which its size is taken."""
-BESIDE = 1e-6
-"""Share of a motion within which an event is too near to where it begins."""
+INSTANTS = 256  # Of a motion, at which its size is taken
+BESIDE = 1e-6  # Share of a motion within which an event is too near to where it begins
 NOTHING_FELL, ROUNDING = -1, 1e-12
 """In the log in place of an event function; share of a time within which it is another one."""
-SMALL = 1e-10
-"""Share of its terms below which a derivative of an event function is taken for zero by law."""
+SMALL = 1e-10  # Share of its terms below which a derivative of an event function is taken for zero by law
 
 
 @dataclass(frozen=True)

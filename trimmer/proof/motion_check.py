@@ -11,8 +11,7 @@ from trimmer.proof.outcome import RefutedError, UndecidedError
 from trimmer.proof.readings import bounds, readings
 from trimmer.proof.statement import StatedMotion
 
-TRIES = (192, 448, 1408)
-"""Bits; more where balls grow too far."""
+TRIES = (192, 448, 1408)  # Bits; more where balls grow too far
 
 
 def check_motion(data: StatedMotion) -> str:

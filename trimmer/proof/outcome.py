@@ -9,8 +9,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from enum import StrEnum
 
-LIMIT = 600.0
-"""Time in which a check ends or gives up, s, if no other is given."""
+LIMIT = 600.0  # Time in which a check ends or gives up, s, if no other is given
 _END = ContextVar("end", default=(math.inf, math.inf))
 
 

@@ -21,11 +21,9 @@ from trimmer.proof.balls import PI, about, along_axis, exact, hull, in_balls, re
 from trimmer.proof.described import Parts, carried_play, corner, ideal_play, thrown_play
 from trimmer.proof.outcome import UndecidedError, require_time
 
-LAST = math.nextafter(math.pi, 4.0)
-"""The end of the flights, rounded up."""
+LAST = math.nextafter(math.pi, 4.0)  # The end of the flights, rounded up
 MOST_BOXES = 60000
-SMALLEST = 1e-9
-"""Width of a box, relative, below which it is left undecided."""
+SMALLEST = 1e-9  # Width of a box, relative, below which it is left undecided
 CORNER = 0.05
 
 

@@ -17,8 +17,7 @@ from trimmer.proof.balls import PI, along_axis, in_balls, positive_roots, real, 
 from trimmer.proof.described import Parts, corner
 from trimmer.proof.outcome import UndecidedError
 
-Solution = tuple[arb, arb]
-"""Amplitude and omega, rad/s."""
+Solution = tuple[arb, arb]  # Amplitude and omega, rad/s
 
 
 def keeps_direction(parts: Parts) -> bool:

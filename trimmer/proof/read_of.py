@@ -21,8 +21,7 @@ if TYPE_CHECKING:
     from trimmer.motion.signals import Readout, Signal
     from trimmer.response.orbit import Orbit
 
-AXES = "displacements", "velocities"
-"""Names of what a body has."""
+AXES = "displacements", "velocities"  # Names of what a body has
 
 
 def functionals_data(orbit: Orbit, flow: Flow, names: Iterable[str]) -> list[dict[str, Any]]:

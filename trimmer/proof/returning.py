@@ -18,23 +18,16 @@ from trimmer.proof.following import RADIUS, BallMotion, Followed, identity
 from trimmer.proof.outcome import UndecidedError
 
 MOST_ITERATIONS = 30
-NOTHING = arb(1e-12)
-"""A modulus below this is told as between 0 and this: how wide balls are is no result."""
+NOTHING = arb(1e-12)  # A modulus below this is told as between 0 and this: how wide balls are is no result
 
 
 @dataclass(frozen=True)
 class Plane:
-    """What cuts a branch: the unknowns less a place, weighted, are a height.
+    """What cuts a branch: the unknowns less a place, weighted, are a height."""
 
-    Attributes:
-        place: The unknowns somewhere on it.
-        weights: One for each of them.
-        height: All heights for which a statement holds.
-    """
-
-    place: list[arb]
-    weights: list[arb]
-    height: arb
+    place: list[arb]  # The unknowns somewhere on it
+    weights: list[arb]  # One for each of them
+    height: arb  # All heights for which a statement holds
 
     def distance(self, unknown: list[arb]) -> arb:
         """Return how far the unknowns are below it."""
@@ -44,17 +37,11 @@ class Plane:
 
 @dataclass(frozen=True)
 class Returned:
-    """What returns.
+    """What returns."""
 
-    Attributes:
-        unknown: Enclosed: start, what an unknown period is longer, and the number that is varied.
-        ball: Around it, in which no other returns.
-        over: The motion from all of the ball.
-    """
-
-    unknown: list[arb]
-    ball: list[arb]
-    over: Followed
+    unknown: list[arb]  # Enclosed: start, what an unknown period is longer, and the number that is varied
+    ball: list[arb]  # Around it, in which no other returns
+    over: Followed  # The motion from all of the ball
 
 
 def first_guess(motion: BallMotion) -> list[arb]:

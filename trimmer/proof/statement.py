@@ -23,8 +23,7 @@ NUMBERS = {
 }
 FROM_ZERO = ("hysteresis", "dead_zone", "time_constant")
 """What may be zero; all other numbers of an element are positive."""
-WITHOUT = ("time_constant", "frozen_omega")
-"""What may be None: an infinite one, or none."""
+WITHOUT = ("time_constant", "frozen_omega")  # What may be None: an infinite one, or none
 
 
 @dataclass(frozen=True)
@@ -92,54 +91,34 @@ class Equations:
 
 @dataclass(frozen=True)
 class Segment:
-    """A piece of a motion: its mode and duration, and the event function that ends it, or when a clock does.
+    """A piece of a motion: its mode and duration, and the event function or clock that ends it."""
 
-    Attributes:
-        mode: Its number.
-        duration: As computed, s.
-        fired: What ends it; None for the last one.
-        together: Others that are a multiple of it.
-        zeros: Event functions, and how many derivatives of each vanish at its start, counting the zeroth.
-        at: When it ends if a clock ends it, s from the start.
-        strict: What is positive then, by Z.
-    """
-
-    mode: int
-    duration: float
-    fired: int | None
-    together: tuple[int, ...]
+    mode: int  # Its number
+    duration: float  # As computed, s
+    fired: int | None  # What ends it; None for the last one
+    together: tuple[int, ...]  # Others that are a multiple of it
+    # Event functions, and how many derivatives of each vanish at its start, counting the zeroth
     zeros: tuple[tuple[int, int], ...]
-    at: float | None
-    strict: Table
+    at: float | None  # When it ends if a clock ends it, s from the start
+    strict: Table  # What is positive then, by Z
 
 
 @dataclass(frozen=True)
 class Course:
-    """A motion that returns.
+    """A motion that returns."""
 
-    Attributes:
-        about: What the equations are said to be of; nothing depends on it.
-        segments: Its pieces.
-        sizes: Of each state.
-        state: At the start.
-        rotation: Rates of what forces the states, as multiples of 2 pi over the period of the drive.
-        periods: How many of them it lasts; 0 without a drive.
-        signs: Of the states, if the end is to be the mirror image of the start; else empty.
-        shifts: Directions along which nothing changes, each with a functional that is to stay.
-        frame: Velocities of the frame, as they are said to be.
-        clock: Sample and delay of each controller that samples, s.
-    """
-
-    about: str
-    segments: tuple[Segment, ...]
-    sizes: Row
-    state: Row
+    about: str  # What the equations are said to be of; nothing depends on it
+    segments: tuple[Segment, ...]  # Its pieces
+    sizes: Row  # Of each state
+    state: Row  # At the start
+    # Rates of what forces the states, as multiples of 2 pi over the period of the drive
     rotation: tuple[tuple[int, ...], ...]
-    periods: float
-    signs: tuple[int, ...]
+    periods: float  # How many of them it lasts; 0 without a drive
+    signs: tuple[int, ...]  # Of the states, if the end is to be the mirror image of the start; else empty
+    # Directions along which nothing changes, each with a functional that is to stay
     shifts: tuple[tuple[Row, Row], ...]
-    frame: Row
-    clock: tuple[tuple[float, float], ...]
+    frame: Row  # Velocities of the frame, as they are said to be
+    clock: tuple[tuple[float, float], ...]  # Sample and delay of each controller that samples, s
 
     def require_fits(self, equations: Equations) -> None:
         """Hold shapes, numbers of modes and of event functions against equations."""
@@ -171,8 +150,7 @@ class Course:
                 _require(len(set(functions)) == len(functions), "an event function is named twice")
 
 
-MOST_ZEROS = 3
-"""Derivatives of an event function that may vanish at an event."""
+MOST_ZEROS = 3  # Derivatives of an event function that may vanish at an event
 
 
 @dataclass(frozen=True)
@@ -191,17 +169,11 @@ class Orbit:
 
 @dataclass(frozen=True)
 class Functional:
-    """Something that is read of a motion: what it is said to be, which nothing depends on, and what it is.
+    """Something that is read of a motion: what it is said to be, which nothing depends on, and what it is."""
 
-    Attributes:
-        about: What it is said to be.
-        rows: By Z, in each mode.
-        before: Segments before whose last event it is told.
-    """
-
-    about: str
-    rows: Table
-    before: tuple[int, ...]
+    about: str  # What it is said to be
+    rows: Table  # By Z, in each mode
+    before: tuple[int, ...]  # Segments before whose last event it is told
 
 
 @dataclass(frozen=True)
@@ -231,20 +203,13 @@ class StatedMotion:
     """That a system moves so from a state: events, and what is read of it.
 
     What forces the states are states too, but for a one.
-
-    Attributes:
-        motion: It; its last segment ends at a time.
-        equations: Each reset once.
-        jumps: Which of the resets stands before each segment.
-        functionals: What is read; before the last segment ends is at the end.
-        levels: Functionals whose zeros are told.
     """
 
-    motion: Course
-    equations: Equations
-    jumps: tuple[int, ...]
-    functionals: tuple[Functional, ...]
-    levels: tuple[Functional, ...]
+    motion: Course  # It; its last segment ends at a time
+    equations: Equations  # Each reset once
+    jumps: tuple[int, ...]  # Which of the resets stands before each segment
+    functionals: tuple[Functional, ...]  # What is read; before the last segment ends is at the end
+    levels: tuple[Functional, ...]  # Functionals whose zeros are told
 
     def __post_init__(self) -> None:
         course, count = self.motion, len(self.motion.segments)
