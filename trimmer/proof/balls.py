@@ -1,7 +1,5 @@
 """Exact numbers and balls: every real number below is exact or an interval that encloses it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from typing import Any
 

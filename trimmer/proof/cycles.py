@@ -1,7 +1,5 @@
 """Whether a list of limit cycles is that of harmonic balance: no more, no less, each at its place."""
 
-from __future__ import annotations
-
 from itertools import combinations
 
 from flint import acb, arb, ctx, fmpq_poly

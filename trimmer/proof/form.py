@@ -1,7 +1,5 @@
 """Whether a motion, as a file tells it, is one of one system, whole and begun where nothing happens."""
 
-from __future__ import annotations
-
 import math
 from itertools import pairwise
 

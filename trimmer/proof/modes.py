@@ -1,7 +1,5 @@
 """An orbit as data of a proof: modes, segments and start, as the assembler and the solver have them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any

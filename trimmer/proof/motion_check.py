@@ -1,7 +1,5 @@
 """Whether a system that is linear between events moves so from a state, with these events and no other."""
 
-from __future__ import annotations
-
 from flint import arb, ctx
 
 from trimmer.proof.following import BallMotion

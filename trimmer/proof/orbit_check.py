@@ -4,8 +4,6 @@ It is followed in balls from a ball of starts (``following``); Krawczyk's operat
 returns (``returning``); then all event functions are enclosed over each segment (``pieces``).
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from flint import arb, ctx

@@ -1,7 +1,5 @@
 """What a check comes to: a theorem, or an error that says why there is none; and how long it may take."""
 
-from __future__ import annotations
-
 import math
 import time
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """A proof: what is proven of given data, in a file that is verified again without what computed it."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace

@@ -6,8 +6,6 @@ positive roots are isolated, so nothing is left out from frequency 0 to infinity
 all u > 0, in pieces in which n is monotone, and beyond the last corner, where it is linear, at once.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import pairwise
 

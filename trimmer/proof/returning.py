@@ -6,8 +6,6 @@ branch: with F of these, F' over the ball and about its inverse Y, each plane is
 m - Y F(m) + (1 - Y F')(ball - m) lies inside the ball.
 """
 
-from __future__ import annotations
-
 import functools
 from dataclasses import dataclass
 

@@ -3,8 +3,6 @@
 States come first, then what forces them; together they are Z. ``typed`` of ``json_data`` reads these classes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 

@@ -1,7 +1,5 @@
 """A loop as data of a proof: coefficients and numbers of elements as they are, and nothing computed."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 
