@@ -234,10 +234,7 @@ def _modes(seen: Seen, rows: list[tuple[int, int]], n: int) -> list[dict[str, An
     numbers = modes_used(seen.log, rows)
     modes = (seen.system.mode(seen.known[number].statuses) for number in numbers)
     return [
-        {
-            "flow": mode.flow[:n].tolist(),
-            "functions": [each.row.tolist() for each in mode.functions],
-        }
+        {"flow": mode.flow[:n].tolist(), "functions": [each.row.tolist() for each in mode.functions]}
         for mode in modes
     ]
 
