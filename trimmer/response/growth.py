@@ -24,6 +24,8 @@ OLDER = 4
 """Factor of its age at which it is looked at again."""
 SUSPECT = 0.5
 """Share of a growth in proportion to the age from which on it is followed further."""
+TWICE = 2
+"""Factor of the age from which on two sizes tell a growth from what swings on and on."""
 PROPORTIONAL = 0.75
 """Share of a growth in proportion to the age from which on it is taken for one."""
 
@@ -62,7 +64,7 @@ def grew(reached: Sequence[tuple[float, Reals]]) -> bool:
     Args:
         reached: Times, s, and sizes then, as of ``state_sizes``.
     """
-    pairs = list(pairwise(reached))[1:]
+    pairs = [(first, last) for first, last in list(pairwise(reached))[1:] if last[0] >= TWICE * first[0]]
     growing = [sizes >= PROPORTIONAL * (age / younger) * before for (younger, before), (age, sizes) in pairs]
     moving = reached[-1][1] > NEGLIGIBLE * np.max([sizes for _, sizes in reached], axis=0)
     return bool(growing) and bool((np.all(growing, axis=0) & moving).any())

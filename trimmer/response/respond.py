@@ -150,8 +150,7 @@ class _Search:
             return replace(settled_at_last(settling.solved, settling.periods), neighbour_agrees=agrees)
         slow = None if seen is None or seen.leaves else settling.slowly_approached(seen.window.end)
         if slow is not None:
-            told = f"It settles to {slow.sentence}, but so slowly that its end was not waited for"
-            return _settled(slow, settling.periods, agrees, f"{told}: {_slowness(slow)}.")
+            return _settled(slow, settling.periods, agrees, _slowly(slow))
         if orbit is None:
             return cut_short(settling, agrees) if seen is None else unsettled(seen, settling.periods, agrees)
         within = periods_of(self.flow.subject, settling.periods)
@@ -173,7 +172,7 @@ class _Search:
         if found.rest is not None:
             return at_rest(found.rest, found.waited), found.waited
         if found.orbit is not None:
-            told = f"It settles to {found.orbit.sentence}."
+            told = _slowly(found.orbit) if found.slowly else f"It settles to {found.orbit.sentence}."
             return _settled(found.orbit, 0, None, told), found.waited
         return unrepeated(self.flow, found, self.most_periods), found.waited
 
@@ -201,12 +200,15 @@ class _Search:
         return found
 
 
-def _slowness(orbit: Orbit) -> str:
-    """Say how slowly small distances to an orbit die out."""
-    largest = float(abs(orbit.multipliers).max())
-    halved = math.ceil(orbit.periods * math.log(0.5) / math.log(largest))
-    time = periods_of(orbit.subject, halved)
-    return f"its distance was seen to fall as the multipliers say, by half in {time}"
+def _slowly(orbit: Orbit) -> str:
+    """Say that a motion settles to an orbit, and how slowly small distances to it die out."""
+    largest = float(abs(orbit.nontrivial_multipliers).max())
+    halved = math.ceil(max(orbit.periods, 1) * math.log(0.5) / math.log(largest))
+    time = periods_of(orbit.subject, halved) if orbit.periods else f"{halved * orbit.period:.3g} s"
+    return (
+        f"It settles to {orbit.sentence}, but so slowly that its end was not waited for: its distance was "
+        f"seen to fall as the multipliers say, by half in {time}."
+    )
 
 
 def _of_kind(kind: MotionKind, periods: int, told: str) -> SettledMotion:

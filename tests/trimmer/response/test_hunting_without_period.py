@@ -10,6 +10,7 @@ from functools import cache
 import numpy as np
 import pytest
 
+from tests.trimmer.servos import STICTION
 from trimmer import Mechanism, MotionKind, SerialRunner, motion_map, respond, simulate
 from trimmer.response.flows import flow_of
 from trimmer.response.response import SettledMotion
@@ -118,6 +119,24 @@ def test_a_rest_that_newton_finds_is_not_what_a_hunting_comes_to() -> None:
     assert motion.kind is MotionKind.UNDECIDED
     assert motion.window is not None and motion.peak_to_peak["angle"] > 0.01
     assert "1700 periods of its slowest mode; 17000 of them would be followed" in motion.message
+
+
+def test_what_comes_to_a_cycle_slowly_is_told_to_and_not_to_grow() -> None:
+    """A slip drops the control by kp times its size; the integral takes it to the other breakaway."""
+    slow = STICTION.replace("ki = 120.0", "ki = 5.0")
+    motion = settled(Mechanism.from_toml_text(slow), 100)
+    assert "but so slowly that its end was not waited for" in motion.message
+    assert motion.kind is MotionKind.PERIODIC and motion.orbit is not None and motion.orbit.stable
+    slip = motion.peak_to_peak["angle"]
+    assert motion.orbit.period == pytest.approx(2 * (2 * 0.08 - 6.0 * slip) / (5.0 * slip / 2), rel=5e-3)
+    slower = settled(Mechanism.from_toml_text(slow.replace("5.0", "3.0")), 120)
+    assert slower.kind is MotionKind.UNDECIDED
+
+
+@pytest.mark.slow
+def test_of_what_takes_too_many_steps_it_is_told_how_far_it_swings() -> None:
+    slowest = settled(Mechanism.from_toml_text(STICTION.replace("ki = 120.0", "ki = 0.01")))
+    assert "it came again 2 times; at its events it swings peak to peak: angle by 0.00503" in slowest.message
 
 
 def test_hunting_that_is_chaotic_tells_how_far_it_goes() -> None:

@@ -14,6 +14,8 @@ from trimmer.response.orbit import Orbit
 
 NEAR = 1e-2  # Distance from a stable orbit as a share of its swing at which a motion has come to it
 ON_IT = 1e-6  # Distance from one of many side by side
+CYCLES = 4  # Periods at last over which it is seen whether a motion comes nearer as a multiplier says
+AS_TOLD = 0.3  # Difference from what a multiplier takes off a distance in a period, as a share of that
 ROUNDING = 1e-12  # Share of the sizes of states by which a distance may be rounding
 
 
@@ -43,6 +45,34 @@ def has_arrived(orbit: Orbit, course: Course) -> bool:
     alike = (own.part[theirs] == log.part[events][:, None]) & (own.kind[theirs] == log.kind[events][:, None])
     apart = abs(seen[:, None] - known) / _within(orbit, NEAR if orbit.stable else ON_IT)
     return bool((np.where(alike, apart.max(axis=2), np.inf).min(axis=1) <= 1.0).all())
+
+
+def approaches(orbit: Orbit, course: Course) -> bool:
+    """Return whether a motion comes nearer to a stable orbit in each period, as its largest multiplier says.
+
+    Args:
+        orbit: The orbit.
+        course: The motion, the last stretch of it.
+    """
+    multipliers = orbit.nontrivial_multipliers
+    slowest = complex(multipliers[np.argmax(abs(multipliers))]) if len(multipliers) else 0j
+    own, log, size = orbit.course.log, course.log, orbit.flow.size
+    theirs, events = np.flatnonzero(what_happened(own)), np.flatnonzero(what_happened(log))
+    needed = (CYCLES + 1) * len(theirs)
+    if not orbit.stable or slowest.real <= 0.0 or slowest.imag or not 0 < needed <= len(events):
+        return False
+    rows = events[-needed:].reshape(CYCLES + 1, len(theirs))
+    for turn in range(len(theirs)):
+        known = np.roll(theirs, turn)
+        if (own.part[known] != log.part[rows]).any() or (own.kind[known] != log.kind[rows]).any():
+            continue
+        apart = orbit.flow.reduced((log.state[rows] - own.state[known])[..., :size].reshape(needed, size))
+        apart = apart.reshape(CYCLES + 1, -1) / np.tile(_within(orbit, 1.0), len(theirs))
+        before = abs(apart[:-1]).max(axis=1)
+        off = abs(apart[1:] - slowest.real * apart[:-1]).max(axis=1)
+        if (before < 1.0).all() and (off <= AS_TOLD * (1.0 - slowest.real) * before).all():
+            return True
+    return False
 
 
 def _within(orbit: Orbit, share: float) -> Reals:

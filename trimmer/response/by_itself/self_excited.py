@@ -11,7 +11,7 @@ from trimmer.hybrid.advance import Ending, Instant
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.time_scale import time_scale
-from trimmer.response.by_itself.arrival import has_arrived
+from trimmer.response.by_itself.arrival import approaches, has_arrived
 from trimmer.response.by_itself.asymptotic import asymptotic_rest, runs_on
 from trimmer.response.by_itself.dying_away import rest_dying_away
 from trimmer.response.by_itself.recurrences import recurrences, recurring
@@ -44,6 +44,8 @@ class SelfExcited:
     passed: Orbit | None = None  # An unstable orbit that it passes
     unit: float = 0.0  # Period of the slowest mode, s, in which ``most_periods`` counts
     returns: Returns | None = None  # The last stretch that was followed, where nothing repeats
+    # Whether the orbit was not reached, but came nearer in each period as its multiplier says
+    slowly: bool = False
 
     @property
     def cut_short(self) -> bool:
@@ -87,6 +89,9 @@ def self_excited(flow: Flow, instant: Instant, most_periods: int | None = None) 
         if _is_chaotic(returns) or course.ending is Ending.STEP_LIMIT:
             break
         instant = replace(course.end, phase=0.0)
+    slow = next((each for each in known if approaches(each, returns[-1].course)), None)
+    if slow is not None:
+        return SelfExcited(waited, slow, slowly=True)
     unstable = next((each for each in known if not each.stable and not each.neutral), None)
     if unstable is None and not returns[-1].chaotic and grew(reached):
         raise DivergingMotionError(

@@ -1,11 +1,16 @@
 """What is known of a motion without a drive that repeats nothing: chaos or undecided, and how far it goes."""
 
+import numpy as np
+
 from trimmer.hybrid.advance import Ending
+from trimmer.messages import listed
 from trimmer.motion.flow import Flow
+from trimmer.motion.signals import along
 from trimmer.response.by_itself.returns import Returns
 from trimmer.response.by_itself.self_excited import STRETCHES, SelfExcited
 from trimmer.response.response import MotionKind, SettledMotion
 from trimmer.response.window import Watched, watch
+from trimmer.showing.shown import counted
 
 RETURNS = 512
 """Returns over which it is watched, or all of the last stretch that was followed if it has fewer."""
@@ -46,6 +51,25 @@ def _told(found: SelfExcited, window: Watched | None) -> str:
     )
 
 
+def _swings(found: SelfExcited) -> str:
+    """Say how far the outputs swung from the event on to which a motion, cut short, came again; if it did."""
+    returns = found.returns
+    if returns is None or not returns.count:
+        return ""
+    flow, course = returns.flow, returns.course
+    # So long a motion has too many instants between its events.
+    rows = np.arange(returns.rows[0], len(course.log.start))
+    values = {
+        name: along(course, each.signal, rows, course.log.state[rows]) for name, each in flow.outputs.items()
+    }
+    told = [f"{name} by {np.ptp(each):.6g} {flow.outputs[name].unit}" for name, each in values.items()]
+    since = found.waited - course.duration + float(course.log.start[rows[0]])
+    times = counted(returns.count, "time")
+    return (
+        f" From {since:.6g} s on it came again {times}; at its events it swings peak to peak: {listed(told)}."
+    )
+
+
 def _undecided(found: SelfExcited, most_periods: int | None) -> str:
     searched = round(found.waited / found.unit)
     told = f"Nothing repeats within {found.waited:.6g} s"
@@ -57,7 +81,7 @@ def _undecided(found: SelfExcited, most_periods: int | None) -> str:
     if found.returns is not None and found.returns.slows_down:
         return f"{told}: each return takes longer than that before, so that it slows down for ever."
     if found.cut_short:
-        return f"{told}, and it was followed no further: {Ending.STEP_LIMIT.value}."
+        return f"{told}, and it was followed no further: {Ending.STEP_LIMIT.value}.{_swings(found)}"
     longer = 10 * max(searched, sum(STRETCHES) if most_periods is None else most_periods)
     return (
         f"{told}, {searched} periods of its slowest mode; {longer} of them would be followed with "
