@@ -21,24 +21,22 @@ def exact_roots(given: InverseResponse, feedback: LinearGain) -> list[complex]:
     """Return the roots of gain * prod(s - pole) + (c + d s) prod(s - zero), to 40 digits of 120."""
     with mpmath.workdps(120):
 
-        def polynomial(roots: np.ndarray) -> list[mpmath.mpc]:
-            coefficients = [mpmath.mpc(1)]
-            for root in roots:
-                shifted = [*coefficients, mpmath.mpc(0)]
-                for k, coefficient in enumerate(coefficients):
-                    shifted[k + 1] -= mpmath.mpc(complex(root)) * coefficient
-                coefficients = shifted
-            return coefficients
+        def times(coefficients: list[mpmath.mpc], first: complex, last: complex) -> list[mpmath.mpc]:
+            """Multiply by first s + last, highest power first."""
+            return [
+                mpmath.mpc(first) * one + mpmath.mpc(last) * other
+                for one, other in zip([*coefficients, 0], [0, *coefficients], strict=True)
+            ]
 
-        poles = [mpmath.mpc(given.gain) * each for each in polynomial(given.poles)]
-        zeros = polynomial(given.zeros)
-        slope = mpmath.mpf(feedback.damping) * mpmath.mpf(given.reference)
-        added = [slope * each for each in (*zeros, 0)]
-        added = [
-            one + mpmath.mpc(feedback.constant) * other for one, other in zip(added, (0, *zeros), strict=True)
+        poles, zeros = [mpmath.mpc(given.gain)], [mpmath.mpc(1)]
+        for pole in given.poles:
+            poles = times(poles, 1.0, -complex(pole))
+        for zero in given.zeros:
+            zeros = times(zeros, 1.0, -complex(zero))
+        added = times(zeros, mpmath.mpf(feedback.damping) * mpmath.mpf(given.reference), feedback.constant)
+        total = [
+            one + other for one, other in zip(poles, [0] * (len(poles) - len(added)) + added, strict=True)
         ]
-        added = [mpmath.mpc(0)] * (len(poles) - len(added)) + added
-        total = [one + other for one, other in zip(poles, added, strict=True)]
         return [complex(root) for root in mpmath.polyroots(total, maxsteps=500, extraprec=400)]
 
 
