@@ -151,7 +151,6 @@ class _DistributionReader:
             return None
         if deviation <= 0:
             self._wrong("normal", "a standard deviation is positive", value["normal"])
-            return None
         return Normal(mean, deviation)
 
     def uniform(self, value: object) -> Uniform | None:
@@ -170,7 +169,6 @@ class _DistributionReader:
             return None
         if not ends[0] < ends[1]:
             self._wrong("uniform", "the first end is the smaller one", value)
-            return None
         return Uniform(ends[0], ends[1])
 
     def _number(self, key: str, value: object, of: float | None = None) -> float | None:
