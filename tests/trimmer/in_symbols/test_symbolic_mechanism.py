@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import sympy
 from hypothesis import given, settings
+from scipy.io import mmwrite
 
 from derivations.equations_of_motion import accelerations, inputs, motion_matrices
 from derivations.linear_trimmer import derive_linear_trimmer
@@ -25,6 +26,7 @@ from trimmer.in_symbols.mechanism import symbolic_mechanism
 from trimmer.in_symbols.printed_symbols import printed_symbols
 from trimmer.mechanism import GROUND, Body, Link, Mechanism, Output, Pin, Play, linear_matrices
 from trimmer.mechanism.linear.matrices import displacement_rows
+from trimmer.mechanism.reading import mechanism_of_text
 
 FILES = sorted((Path(__file__).parents[3] / "examples").glob("*.toml"))
 # What a controller acts with is a given force there; tests of controllers hold the laws behind it.
@@ -214,6 +216,20 @@ def test_random_mechanisms_pass_all_checks_of_their_derivation(mechanism):
 def test_larger_mechanisms_pass_all_checks_of_their_derivation(mechanism):
     assert_sources_are_usable(mechanism)
     assert_matrices_agree(mechanism)
+
+
+def test_a_structure_that_turns_passes_all_checks_of_its_derivation(tmp_path):
+    """Its matrices mix kg, kg m and kg m²."""
+    mmwrite(tmp_path / "matrix.mtx", np.array([[3.0, 1.0], [1.0, 2.0]]))
+    text = """
+        [structures.h]
+        mass = "matrix.mtx"
+        damping = "matrix.mtx"
+        stiffness = "matrix.mtx"
+        coordinates = ["u", "phi"]
+        rotations = ["phi"]
+    """
+    assert_sources_are_usable(mechanism_of_text(text, "turning.toml", {}, tmp_path))
 
 
 def assert_sources_are_usable(mechanism):
