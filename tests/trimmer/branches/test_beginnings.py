@@ -6,13 +6,27 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import control
 import numpy as np
 import pytest
 
 from tests.trimmer.branches.bouncing_ball import ball, thrown
 from tests.trimmer.branches.maps import Cubic, Failing, Logistic, Ring
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
-from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Pin, Play, Stop, follow
+from trimmer import (
+    Body,
+    ClosedLoop,
+    ContactLaw,
+    Force,
+    Friction,
+    Link,
+    Mechanism,
+    Pin,
+    Play,
+    Saturation,
+    Stop,
+    follow,
+)
 from trimmer.branches import BranchEnd, FollowSettings
 from trimmer.branches.continuation import continuation
 from trimmer.errors import MechanismError, UnsupportedMotionError, WrongTypeError
@@ -93,6 +107,13 @@ def test_what_cannot_be_followed_is_refused(name: str) -> None:
     error, told, call = REFUSED[name]
     with pytest.raises(error, match=told):
         call()
+
+
+def test_a_loop_without_an_orbit_has_nothing_to_follow() -> None:
+    loop = ClosedLoop(control.tf([0.5], [1, 2, 1]), Saturation(1.0))
+    branch = follow(loop, "element.slope", 1.0, 2.0, settings=FEW)
+    assert not branch.points
+    assert "there is no motion to begin with: the loop has no orbit to begin with" in branch.message
 
 
 @pytest.mark.parametrize(
