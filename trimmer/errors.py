@@ -28,6 +28,11 @@ __all__ = [
 class TrimmerError(Exception):
     """An input of the user cannot be used; the message is complete in itself and says what to do."""
 
+    def __init__(self, *arguments: object, place: tuple[str, ...] = ()) -> None:
+        """Take a message and, of what a file says, the names that lead there, such as ("start", "ball")."""
+        super().__init__(*arguments)
+        self.place = place
+
 
 class WrongTypeError(TrimmerError, TypeError, ValueError):
     """An argument of another type than the one that is needed; the message names argument and value.

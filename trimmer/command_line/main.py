@@ -16,6 +16,7 @@ import trimmer
 from trimmer.command_line import check, completion, derive, linear, parameters, simulate
 from trimmer.command_line.command import Command
 from trimmer.command_line.help_text import EXIT_CODES, HelpText, epilog
+from trimmer.command_line.located import located
 from trimmer.command_line.loops import identify, limit_cycles, orbits
 from trimmer.command_line.mechanisms import follow, init, motion_maps, respond, sample, step, sweep
 from trimmer.command_line.output_options import add_quiet_option
@@ -63,6 +64,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if sys.stdout is None:
         tell("standard output is closed; send it to a file, or to /dev/null")
         return WRONG_USE
+    parsed = Namespace()
     try:
         try:
             parsed = _parsed(arguments)
@@ -74,7 +76,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             sys.stdout.flush()
         return code
     except TrimmerError as error:
-        tell(str(error))
+        tell(located(error, parsed))
         return WRONG_USE
     except BrokenPipeError:
         # The reader has seen enough, as in `trimmer linear | head`.

@@ -72,10 +72,12 @@ class SampledControllers:
         of = "the slowest period" if moves else "a second, since no part by itself has a period"
         for name, held in self.layout.held.items():
             if held.sample < SHORTEST * slowest:
+                place = ("controllers", name, "sample")
                 raise MechanismError(
-                    f"{place_text(('controllers', name, 'sample'))} = {held.sample:g}: it is shorter than "
+                    f"{place_text(place)} = {held.sample:g}: it is shorter than "
                     f"{SHORTEST:g} of {of}, {slowest:.3g} s, and no motion could count so many "
-                    "samples; give a longer one, or none for a continuous controller"
+                    "samples; give a longer one, or none for a continuous controller",
+                    place=place,
                 )
 
     def sampling(self, modes: Modes[Any], number: int) -> tuple[Reals, Reals]:

@@ -25,7 +25,8 @@ def require_within_walls(mechanism: Mechanism, system: MechanismSystem, state: R
             shares = row[: len(layout.coordinates)] * extended[: len(layout.coordinates)]
             most = int(np.argmax(shares))
             body = layout.coordinates[most] if shares[most] > 0 else None
-            raise MechanismError(_told(mechanism, name, beyond, body))
+            place = ("walls", name, "gap") if body is None else ("start", body)
+            raise MechanismError(_told(mechanism, name, beyond, body), place=place)
 
 
 def _told(mechanism: Mechanism, name: str, beyond: float, body: str | None) -> str:

@@ -80,9 +80,11 @@ def require_no_profile(mechanism: Mechanism) -> None:
     """
     for name, force in mechanism.forces.items():
         if force.profile:
+            place = ("forces", name, "profile")
             raise UnsupportedMotionError(
-                f"{place_text(('forces', name, 'profile'))}: the force follows times, with which nothing "
-                "repeats; 'trimmer simulate' follows it, or leave it out"
+                f"{place_text(place)}: the force follows times, with which nothing "
+                "repeats; 'trimmer simulate' follows it, or leave it out",
+                place=place,
             )
 
 
@@ -95,10 +97,12 @@ def _require_carried(mechanism: Mechanism, flow: MechanismFlow) -> None:
     for name, controller in mechanism.controllers.items():
         reference = mechanism.references.get(controller.reference or "")
         if isinstance(reference, RampReference) and reference.ramp and flow.modes.system.layout.frame.pulled:
+            place = ("controllers", name, "reference")
             raise UnsupportedMotionError(
-                f"{place_text(('controllers', name, 'reference'))}: what is measured cannot go on with the "
+                f"{place_text(place)}: what is measured cannot go on with the "
                 f"ramp {controller.reference!r}, since shifting it changes another force; "
-                "'trimmer simulate' follows it"
+                "'trimmer simulate' follows it",
+                place=place,
             )
 
 
