@@ -15,7 +15,7 @@ from pathlib import Path
 
 from report.cache.source_closure import SourceTree
 from report.numbers.future_work.all import ANSWERS
-from report.numbers.twin.advice import LINES, search, write_advice
+from report.numbers.twin.advice import LINES, climbed, search, write_advice
 from report.numbers.twin.closed_loop import FILE as LOOP_FILE
 from report.numbers.twin.closed_loop import LOOP_COURSES, without_friction
 from report.numbers.twin.grids import COURSES, GRIDS, Grid, KeptCourse
@@ -74,7 +74,7 @@ def make_advice() -> None:
     found = []
     for line in LINES:
         print(f"advice {line.id}", file=sys.stderr)
-        found.append(search(line))
+        found.append(climbed(search(line)))
     write_advice(found)
 
 

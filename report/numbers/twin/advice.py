@@ -1,14 +1,14 @@
 """What a designer is advised: each line a box of speed, friction and gap, searched for its worst motion.
 
 The search tries the corners of the box, random points inside of it and on its faces and edges, and further
-ones around the worst; the worst that it found are kept with the code. A build tries the worst point again,
-and the corners of speed and friction at its gap.
+ones around the worst. From the worst that repeat it climbs by ever smaller moves; the worst that it found are
+kept with the code. A build tries the worst point again, and the corners of speed and friction at its gap.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any, Final, final
@@ -19,6 +19,7 @@ from report.document.advice import NAME, Advice, Bound
 from report.numbers.twin.kept_files import FOLDER, digest_of, read_kept, rounded, write_kept
 from report.numbers.twin.mechanism import FORCE, GAP, SPEED, STIFFNESS, twin
 from trimmer import MotionKind, respond
+from trimmer.arrays import Reals
 from trimmer.response.response_json import response_json
 
 FILE: Final = FOLDER / NAME
@@ -32,6 +33,12 @@ NEAR: Final = 2
 """Points that are tried around each of them in each round, to the same power."""
 REACHES: Final = (0.2, 0.1, 0.05, 0.02, 0.01, 0.005)
 """How far these lie away at most, in sizes of the box, round by round."""
+CLIMBED: Final = 3
+"""Worst motions that repeat, of each bound, from which is climbed."""
+MOVES: Final = (0.03, 0.01, 0.003, 0.001)
+"""Lengths of the moves of a climb, in sizes of the box: along each number, and as many at random."""
+MOST_MOVES: Final = 12
+"""Most moves of a length."""
 STARTS: Final = 4
 """Starts from which the worst points are tried besides; the first of them is rest."""
 SEED: Final = 30
@@ -207,8 +214,7 @@ def search(line: Advice) -> Searched:
     shares = np.vstack([corners, draw.uniform(-OUTSIDE, 1 + OUTSIDE, (RANDOM ** len(low), len(low)))])
     tried: dict[tuple[float, ...], Tried] = {}
     for reach in (*REACHES, None):
-        for values in low + np.clip(shares, 0, 1) * (high - low):
-            point = tuple(rounded(float(value)) or 0.0 for value in values)
+        for point in (_point(line, each) for each in shares):
             if point not in tried:
                 (tried[point],) = attempt(line, point)
         found = list(tried.values())
@@ -220,6 +226,55 @@ def search(line: Advice) -> Searched:
     others = (attempt(line, each.point, STARTS) for each in worst)
     kinds = Counter(each.kind for each in found)
     return Searched(line, kinds, worst, tuple(each for found in others for each in found))
+
+
+def _point(line: Advice, shares: Reals) -> tuple[float, ...]:
+    """Return the values at shares of the ranges; from outside of the box they move onto it."""
+    low, high = np.array(list(line.over.values())).T
+    return tuple(rounded(float(value)) or 0.0 for value in low + np.clip(shares, 0, 1) * (high - low))
+
+
+def climbed(searched: Searched) -> Searched:
+    """Go from the worst motions that repeat to worse ones; means of others scatter, and are left alone."""
+    line, draw = searched.line, np.random.default_rng(SEED)
+    tried = {each.point: each for each in searched.worst}
+    for number in range(len(line.bounds)):
+        for start in nearest(line, number, _repeating(searched.worst))[:CLIMBED]:
+            _climb(line, number, start, tried, draw)
+    new = [each for each in tried.values() if each not in searched.worst]
+    worst = _worst(line, list(tried.values()), WORST)
+    kept = [each for each in searched.starts if each.point in {one.point for one in worst}]
+    more = [found for each in worst if each in new for found in attempt(line, each.point, STARTS)]
+    kinds = Counter(searched.kinds) + Counter(each.kind for each in new)
+    return Searched(line, kinds, worst, (*kept, *more))
+
+
+def _climb(
+    line: Advice,
+    number: int,
+    worst: Tried,
+    tried: dict[tuple[float, ...], Tried],
+    draw: np.random.Generator,
+) -> None:
+    """Go from a motion nearer to a bound, as long as each length of the moves leads on; add what is tried."""
+    low, high = np.array(list(line.over.values())).T
+    for reach in MOVES:
+        for _ in range(MOST_MOVES):
+            moves = np.vstack([np.eye(len(low)), draw.normal(size=(len(low), len(low)))])
+            moves *= reach / np.linalg.norm(moves, axis=1, keepdims=True)
+            here = (np.array(worst.point) - low) / (high - low)
+            around = [_point(line, each) for each in (*(here + moves), *(here - moves))]
+            for point in around:
+                if point not in tried:
+                    (tried[point],) = attempt(line, point)
+            before, repeating = worst, _repeating([tried[each] for each in around])
+            worst = nearest(line, number, [worst, *repeating])[0]
+            if worst is before:
+                break
+
+
+def _repeating(tried: Iterable[Tried]) -> list[Tried]:
+    return [each for each in tried if each.kind in REPEATS]
 
 
 def _worst(line: Advice, tried: Sequence[Tried], count: int = 1) -> tuple[Tried, ...]:
@@ -282,6 +337,7 @@ def inputs_of(lines: Sequence[Advice]) -> str:
     """Return the SHA-256 of the machine, of the boxes with their bounds, and of how they are searched."""
     boxes = [entry | {"text": line.id} for line in lines for entry in line.told()]
     machine = [twin().to_toml(), RANDOM, OUTSIDE, WORST, NEAR, list(REACHES), STARTS, SEED]
+    machine += [CLIMBED, list(MOVES), MOST_MOVES]
     return digest_of([boxes, machine])
 
 

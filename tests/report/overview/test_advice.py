@@ -7,7 +7,17 @@ import numpy as np
 import pytest
 
 from report.document.advice import advice_json
-from report.numbers.twin.advice import BOUNDED, LINES, Tried, attempt, holds, read_advice, tried_again
+from report.numbers.twin.advice import (
+    BOUNDED,
+    LINES,
+    Searched,
+    Tried,
+    attempt,
+    climbed,
+    holds,
+    read_advice,
+    tried_again,
+)
 from report.numbers.twin.kept_files import KeptDataError
 from report.numbers.twin.mechanism import FORCE, SPEED
 from report.twin.observation import UnsupportedObservationError
@@ -63,6 +73,17 @@ def test_what_the_search_found_is_found_again(searched):
         assert holds(searched.line, found)
         if found.kind == kept.kind == "periodic":
             assert found.values == pytest.approx(kept.values, rel=1e-4)
+
+
+def test_a_climb_ends_at_the_worst_that_is_kept():
+    (found,) = (each for each in read_advice(LINES) if each.line.id == "soft")
+    worst = max(each.values[2] for each in found.worst)
+    line = replace(found.line, bounds=found.line.bounds[2:3])
+    (beside,) = attempt(line, (104.78, 0.749, 212.4e-6, 5500.0))
+    reached = climbed(Searched(line, {}, (beside,), ()))
+    assert beside.values[0] < 0.99 * worst
+    assert max(each.values[0] for each in reached.worst) == pytest.approx(worst, rel=1e-3)
+    assert sum(reached.kinds.values()) > 50
 
 
 def lowered(line, at, value):
