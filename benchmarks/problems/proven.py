@@ -3,7 +3,8 @@
 ``python -m benchmarks.problems.proven [NAME ...]`` proves them anew: of motions that repeat the period
 without a drive, events, largest multiplier, peaks, mean squares, impact speeds, shares of stick; of motions
 from a state times of events, speeds, ends and how they follow a step (``moved``); folds, period doublings,
-and what harmonic balance predicts. A grazing stays undecided. No theorem is there for a torus.
+grazings of what has no events besides, tori, and what harmonic balance predicts. No theorem is there for the
+end of infinitely many impacts, and for a grazing of what has events besides.
 ``trimmer check`` verifies each file again.
 """
 
@@ -49,7 +50,7 @@ READING = (
     r"what this file calls '{}', unchecked, is: [^:]*?\b{} "
     r"between (?P<lower>\S+) and (?P<upper>[^\s,]+\d)[,.] "
 )
-SPECIAL = {"fold", "period-doubling"}
+SPECIAL = {"fold", "period-doubling", "grazing", "torus"}
 VALUE = r": a {} within (?P<off>\S+), relative, of v = (?P<value>\S+)\.$"
 
 

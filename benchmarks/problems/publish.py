@@ -29,7 +29,7 @@ both ways again. `CITATION.cff` says how to cite them.
 Of these numbers {proven} are proven too, by ball arithmetic, to the digits that the last column says: the
 motion, or the special point, is there, with these events and no other, and what is read of it is enclosed.
 The proofs stand in `benchmarks/problems/proofs`; `trimmer check FILE` verifies each again without a solver,
-of the equations in its file. What it touches in passing, a grazing, is undecided to balls; a torus,
+of the equations in its file. A grazing of motions that have events besides,
 and the end of infinitely many impacts, are not covered.
 
 """

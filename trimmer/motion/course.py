@@ -129,6 +129,11 @@ class Course:
         return ends
 
     @property
+    def alone(self) -> Course:
+        """It as if nothing happened after it has begun."""
+        return replace(self, log=Log._make(each[:1] for each in self.log))
+
+    @property
     def times(self) -> Reals:
         """Times, s, at which its mode changes, in their order."""
         times: Reals = self.log.start[(self.log.kind != NOTHING) | (self.log.function >= 0)]

@@ -45,10 +45,11 @@ class Piece:
         return [(arb_poly(row), off) for row, off in zip((rows * self.terms).tolist(), errors, strict=True)]
 
 
-def pieces(motion: BallMotion, over: Followed) -> Iterator[Piece]:
+def pieces(motion: BallMotion, over: Followed, free: tuple[int, ...] = ()) -> Iterator[Piece]:
     """Yield a motion piece by piece; hold event functions and sizes against each.
 
-    No event function but the one that ends a segment comes to zero, but for what is zero at its start by law.
+    No event function but the one that ends a segment comes to zero, but for what is zero at its start by law,
+    and for those that are left free.
     """
     before: float | None = 0.0
     largest, begun = [arb(0)] * motion.n, arb(0)
@@ -67,7 +68,8 @@ def pieces(motion: BallMotion, over: Followed) -> Iterator[Piece]:
                 require_time()
                 last = place == segment.count - 1
                 piece = _piece(number, segment, begun, z, length + late if last else length)
-                _require_positive(motion, piece, z, {} if place else segment.zeros, falling if last else ())
+                left = (*free, *falling) if last else free
+                _require_positive(motion, piece, z, {} if place else segment.zeros, left)
                 yield piece
                 largest = [each.max(abs(z[i, 0]).lower()) for i, each in enumerate(largest)]
                 z, begun = plain * z, begun + piece.duration

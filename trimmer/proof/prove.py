@@ -31,6 +31,7 @@ from trimmer.response.motion import MechanismMotion
 from trimmer.response.orbit import Orbit
 
 if TYPE_CHECKING:
+    from trimmer.branches.period_maps.driven_map import DrivenMap
     from trimmer.motion.flow import Flow
     from trimmer.motion.subject import Subject
 
@@ -38,7 +39,13 @@ ASIDE = 1e-6
 """Distance from a special point of the values between which slopes are taken, as a share of its value."""
 LATER, CLOSED = 0.37, 1e-3
 """Share of a drive period after which to begin if the motion does not return, to a share of its size."""
-COVERED = (SpecialKind.FOLD, SpecialKind.PERIOD_DOUBLING, SpecialKind.SYMMETRY_BREAKING)
+COVERED = (
+    SpecialKind.GRAZING,
+    SpecialKind.TORUS,
+    SpecialKind.FOLD,
+    SpecialKind.PERIOD_DOUBLING,
+    SpecialKind.SYMMETRY_BREAKING,
+)
 
 
 @takes_a_loop
@@ -180,8 +187,8 @@ def prove_special_point(
         limit: Time after which the check gives up, undecided, s.
 
     Returns:
-        Proven, refuted or undecided. Grazings, tori, and a symmetry breaking of other than a motion that is
-        its own mirror image after half a period are undecided.
+        Proven, refuted or undecided. A grazing of what has events besides, and a symmetry breaking of other
+        than a motion that is its own mirror image after half a period, are undecided.
 
     Raises:
         WrongTypeError: if an argument is of another type.
@@ -203,6 +210,19 @@ def _returns(passage: DrivenPassage) -> bool:
     return bool((gap <= CLOSED * passage.sizes.max(initial=0.0)).all())
 
 
+def _course_at(branch: FollowedBranch, special: SpecialPoint, over: DrivenMap) -> tuple[Course, DrivenMap]:
+    """Return the motion at a special point, and the map over which it returns."""
+    value = float(special.value)
+    passage = over.passage(value, special.state)
+    if special.kind is SpecialKind.GRAZING:
+        return passage.course.alone, over  # What it touches it does not meet.
+    if not (over.mirrored or branch.finds_period or _returns(passage)):
+        # An event at the start of the period itself is before it or behind it, as rounding has it.
+        over = over.begun_at(LATER)
+        passage = over.passage(value, over.phases(value, special.state)[0])
+    return passage.course if over.mirrored else begun_amid(passage.course), over
+
+
 def _special_data(system: Subject, branch: FollowedBranch, special: SpecialPoint) -> dict[str, Any]:
     kind, place, value = special.kind, branch.map.place, float(special.value)
     if kind not in COVERED:
@@ -214,17 +234,12 @@ def _special_data(system: Subject, branch: FollowedBranch, special: SpecialPoint
         if branch.finds_period or not over.is_mirror_symmetric or over.periods % 2 == 0:
             raise UndecidedError("a symmetry breaking of what is no mirror image of itself is not covered")
         over = replace(over, mirrored=True, single=None)
-    passage = over.passage(value, special.state)
-    if not (over.mirrored or branch.finds_period or _returns(passage)):
-        # An event at the start of the period itself is before it or behind it, as rounding has it.
-        over = over.begun_at(LATER)
-        passage = over.passage(value, over.phases(value, special.state)[0])
-    flow, course = flow_of(system.with_value(place, value)), passage.course
+    course, over = _course_at(branch, special, over)
+    flow = flow_of(system.with_value(place, value))
     if flow.shifts:
         raise UndecidedError(
             "motions that return but for a shift along which no force changes are not covered"
         )
-    course = course if over.mirrored else begun_amid(course)
     motion = motion_data(course, flow, 0 if branch.finds_period else over.length)
     if motion["clock"]:
         raise UndecidedError("special points of sampled motions are not covered")

@@ -28,7 +28,11 @@ Along = Callable[[arb], tuple[arb, arb]]
 
 
 def readings(
-    motion: BallMotion, over: Followed, functionals: Sequence[Functional], levels: Sequence[Functional] = ()
+    motion: BallMotion,
+    over: Followed,
+    functionals: Sequence[Functional],
+    levels: Sequence[Functional] = (),
+    free: tuple[int, ...] = (),
 ) -> str:
     """Hold a motion piece by piece against its equations; say what is read of it on the way.
 
@@ -37,11 +41,12 @@ def readings(
         over: It from a ball of starts.
         functionals: Of these extremes, means, and values before events are told.
         levels: Of these when they are zero.
+        free: Event functions that may fall to zero.
     """
-    read = [Reading.of(motion, each) for each in functionals]
+    read = [Reading.of(motion, each, _rows(motion, each.rows)) for each in functionals]
     rows = [_rows(motion, each.rows) for each in levels]
     zeros: list[list[arb]] = [[] for _ in levels]
-    for piece in pieces(motion, over):
+    for piece in pieces(motion, over, free):
         read = [each.with_piece(motion, piece) for each in read]
         for own, found in zip(rows, zeros, strict=True):
             roots = roots_between(_along(motion, piece, own)[0], arb(0), arb(1))
@@ -51,6 +56,18 @@ def readings(
         instants = " and ".join(f"{bounds(each)} s" for each in found) or "no instant"
         told.append(f" What this file calls {level.about!r}, unchecked, is zero at {instants}.")
     return "".join(told)
+
+
+def smallest(motion: BallMotion, over: Followed, function: int, free: tuple[int, ...]) -> arb:
+    """Enclose the smallest value of an event function of a motion without events, as a share of its terms.
+
+    Event functions are held positive but for those that are left free.
+    """
+    row = arb_mat([motion.segments[0].functions.tolist()[function]])
+    read = Reading.of(motion, Functional("", (), ()), [row] * len(motion.tables.flows))
+    for piece in pieces(motion, over, free):
+        read = read.with_piece(motion, piece)
+    return read.extremes[0] * FINE / read.fine
 
 
 @dataclass(frozen=True)
@@ -74,9 +91,9 @@ class Reading:
     passed: arb
 
     @classmethod
-    def of(cls, motion: BallMotion, functional: Functional) -> Reading:
+    def of(cls, motion: BallMotion, functional: Functional, rows: list[arb_mat]) -> Reading:
         """Begin to read."""
-        rows, sizes = _rows(motion, functional.rows), arb_mat([[each] for each in motion.sizes])
+        sizes = arb_mat([[each] for each in motion.sizes])
         largest = functools.reduce(arb.max, ((moduli(row) * sizes)[0, 0] for row in rows))
         none = arb("inf"), arb("-inf")
         return cls(functional, rows, FINE * largest.lower(), none, (arb(0), arb(0)), arb(0))

@@ -4,7 +4,8 @@ The equations of a family over a number v are straight lines in v: those at one 
 values beside it. Planes cut the branch, and Krawczyk's operator says that each of a stack of them meets it in
 exactly one orbit (``returning``); so it is one smooth curve there. Where dv, along the curve, has opposite
 signs at both ends, v turns around: a fold. Where det(D - m) has, with D the derivative of the return, m is a
-multiplier somewhere between.
+multiplier somewhere between. Where the modulus of a pair of eigenvalues of D passes 1, it is a torus. Where
+motions have no events, and the smallest value of an event function passes 0, they graze.
 """
 
 from __future__ import annotations
@@ -12,14 +13,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from flint import arb, arb_mat, ctx
+from flint import acb_mat, arb, arb_mat, ctx
 
 from trimmer.proof.balls import about, exact, real
 from trimmer.proof.following import BallMotion, Followed, identity
 from trimmer.proof.form import require_form, require_rest_at_start, require_shortest
 from trimmer.proof.orbit_check import require_near, taken_as_zero, unchecked
 from trimmer.proof.outcome import RefutedError, UndecidedError
-from trimmer.proof.readings import readings
+from trimmer.proof.readings import readings, smallest
 from trimmer.proof.returning import (
     Plane,
     Returned,
@@ -38,6 +39,8 @@ HALF = -200
 """Power of two of half the length of the piece, as a share of the sizes."""
 NARROW = -280
 """That of the balls at its ends, in which the signs are told."""
+TOUCH, WIDE = -32, -20
+"""For a grazing: half the length, in the number, and the balls of all motions on it."""
 MOST_SECANTS = 25
 WITHIN = 1e-6
 """Distance from the value as it was computed, as a share of it: six digits."""
@@ -50,12 +53,12 @@ TOLD = 1e-9
 def check_special_point(data: StatedSpecialPoint) -> str:
     """Hold a special point against the branch around it; return the theorem."""
     kind = data.kind
-    if kind not in ("fold", "period-doubling", "symmetry-breaking"):
+    if kind not in (*TESTS, "grazing"):
         raise UndecidedError(f"special points of the kind {kind} are not covered")
     if (kind == "symmetry-breaking") != bool(data.motion.signs):
         raise UndecidedError(f"a {kind} of other than half a motion is not covered")
     with ctx.workprec(PRECISION):
-        return _checked(BallMotion(data.motion, data), data)
+        return (_grazing if kind == "grazing" else _checked)(BallMotion(data.motion, data), data)
 
 
 @dataclass
@@ -110,13 +113,13 @@ def _secant(before: tuple[arb, arb], last: tuple[arb, arb]) -> arb | None:
 
 def _checked(motion: BallMotion, data: StatedSpecialPoint) -> str:
     require_form(motion)
-    branch = Branch(
-        motion, _plane(motion, data.kind == "fold"), _turning if data.kind == "fold" else _crossing
-    )
+    branch = Branch(motion, _plane(motion, data.kind == "fold"), TESTS[data.kind])
     guess, height = branch.about_zero()
     half = arb(2) ** HALF
     piece = solve(motion, branch.at(height + about(half)), guess)
     require_near(motion, piece.unknown, BESIDE)
+    if data.kind == "torus":
+        _circling(motion, piece.over, branch.plane)
     value = real(exact(data.value)) + piece.unknown[-1] * motion.unit
     if not abs(value / real(exact(data.value)) - 1) < WITHIN:
         raise RefutedError(f"the {data.kind} nearest to it is at {float(value.mid())!r}")
@@ -131,6 +134,31 @@ def _checked(motion: BallMotion, data: StatedSpecialPoint) -> str:
     if not abs(value / real(exact(float(told))) - 1) < TOLD:
         raise UndecidedError("the value is enclosed too widely")
     return _theorem(motion, data, told)
+
+
+def _grazing(motion: BallMotion, data: StatedSpecialPoint) -> str:
+    """Follow motions without events up to where one of them touches, and beyond as if nothing were there."""
+    require_form(motion)
+    functions = tuple(range(motion.segments[0].functions.nrows()))
+    if len(motion.segments) > 1 or not functions:
+        raise UndecidedError("a grazing of motions that have events besides is not covered")
+    branch, half = Branch(motion, _plane(motion, False), _crossing), arb(2) ** TOUCH
+    near = solve(motion, branch.at(arb(0)), radius=NARROW)
+    require_near(motion, near.unknown, BESIDE)
+    heights = [abs(smallest(motion, near.over, k, functions)) for k in functions]
+    touching = [k for k, height in enumerate(heights) if height < BESIDE]
+    if len(touching) != 1:
+        raise UndecidedError("it is not one event function alone that comes to zero")
+    whole = solve(motion, branch.at(about(half)), radius=WIDE)
+    around = motion.at(whole.unknown[-1])
+    require_rest_at_start(around, whole.unknown)
+    readings(around, whole.over, (), free=tuple(touching))
+    require_shortest(around, whole.over)
+    ends = [solve(motion, branch.at(height), radius=NARROW) for height in (-half, half)]
+    first, last = (smallest(motion.at(e.unknown[-1]), e.over, touching[0], functions) for e in ends)
+    if not ((first < 0 and last > 0) or (last < 0 and first > 0)):
+        raise UndecidedError("the smallest value of an event function does not change its sign")
+    return _theorem(motion, data, f"{data.value:.10g}", touching[0])
 
 
 def _plane(motion: BallMotion, is_fold: bool) -> Plane:
@@ -165,13 +193,36 @@ def _crossing(motion: BallMotion, over: Followed, plane: Plane) -> arb:
     return (in_sizes(motion, over) + identity(motion.n)).det()
 
 
-def _theorem(motion: BallMotion, data: StatedSpecialPoint, told: str) -> str:
+def _circling(motion: BallMotion, over: Followed, plane: Plane) -> arb:
+    """Return the square of the modulus, less 1, of the only multiplier above the axis near the circle."""
+    found = acb_mat(in_sizes(motion, over)).eig(multiple=True)
+    near = [each for each in found if not each.imag <= 0 and not (abs(each) < 0.9 or abs(each) > 1.1)]
+    if len(near) != 1 or not near[0].imag > 0:
+        raise UndecidedError("no pair of multipliers is alone near the unit circle")
+    return arb(abs(near[0]) ** 2 - 1)
+
+
+TESTS: dict[str, Callable[[BallMotion, Followed, Plane], arb]] = {
+    "fold": _turning,
+    "period-doubling": _crossing,
+    "symmetry-breaking": _crossing,
+    "torus": _circling,
+}
+"""What changes its sign at each kind of special point."""
+
+
+def _theorem(motion: BallMotion, data: StatedSpecialPoint, told: str, touching: int | None = None) -> str:
     kind, (first, second) = data.kind, (each.value for each in data.beside)
     motions, modes = "periodic motions", "modes"
     if kind == "symmetry-breaking":
         motions = "motions whose end is the mirror image of their start"
         modes = "modes, and their mirror images by the signs of this file,"
+    aside = "" if touching is None else f" (event function {touching} aside)"
     happens = {
+        "grazing": f"the smallest value of event function {touching} over the motion has opposite signs at "
+        "its ends, so it comes to zero",
+        "torus": "one pair of multipliers, not real and alone near the unit circle, has moduli below and "
+        "above 1 at its ends, so it passes the circle",
         "fold": "the rate of v has opposite signs at its ends, so it turns around",
         "period-doubling": "det(D + 1), D the derivative of the return, has opposite signs at its ends, so "
         "-1 is a multiplier on it",
@@ -183,7 +234,7 @@ def _theorem(motion: BallMotion, data: StatedSpecialPoint, told: str) -> str:
         f"events, with {modes} on the straight line through those of this file at v = {first!r} and "
         f"{second!r} {unchecked(data.motion.about)}, and so with what it says of the states after each "
         f"event, all numbers taken as exact, have one smooth curve of {motions} with the "
-        f"{len(motion.segments) - 1} events of this file in its order and no other, within {BESIDE:g} of "
-        f"its state as a share of the sizes of the states.{taken_as_zero(motion)} On this curve, {happens}: "
-        f"a {kind} within {TOLD:g}, relative, of v = {told}."
+        f"{len(motion.segments) - 1} events of this file in its order and no other{aside}, within {BESIDE:g} "
+        f"of its state as a share of the sizes of the states.{taken_as_zero(motion)} On this curve, "
+        f"{happens}: a {kind} within {TOLD:g}, relative, of v = {told}."
     )
