@@ -1,16 +1,18 @@
 """Limit cycles of a linear system in a negative feedback loop with a nonlinear element."""
 
-from __future__ import annotations
-
 import math
 import warnings
 from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from control.lti import LTI
 
 from trimmer.arguments import positive_number, real_values
 from trimmer.balance.bounded import solve_bounded
+from trimmer.balance.cells import Cells
+from trimmer.balance.element_curve import ElementCurve
+from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.limit_cycle import (
     Certificate,
     HarmonicBalance,
@@ -18,28 +20,20 @@ from trimmer.balance.limit_cycle import (
     UndecidedRegion,
     doubts_of_search,
 )
-from trimmer.balance.loop import inverse_response, loop_equation
+from trimmer.balance.loop import LoopEquation, inverse_response, loop_equation
 from trimmer.balance.loop_first import takes_a_loop_or_data, takes_what_is_balanced
 from trimmer.balance.many_harmonics.feedback import ORDER, FeedbackBalance, feedback_balance
 from trimmer.balance.of_data import balance_of_data
 from trimmer.balance.proportional import solve_proportional
 from trimmer.balance.rational import turning_range
 from trimmer.balance.sampled import solve_sampled, unproven
+from trimmer.balance.search import SearchedRegion
 from trimmer.balance.stability import limit_cycles_at
 from trimmer.balance.winding_number import winding_number
+from trimmer.elements.element import Element
 from trimmer.errors import FrequencyRangeError, UndecidedWarning
 from trimmer.loops import ClosedLoop, Feedback
 from trimmer.loops.measured_loop import MeasuredLoop
-
-if TYPE_CHECKING:
-    from control.lti import LTI
-
-    from trimmer.balance.cells import Cells
-    from trimmer.balance.element_curve import ElementCurve
-    from trimmer.balance.inverse_response import InverseResponse
-    from trimmer.balance.loop import LoopEquation
-    from trimmer.balance.search import SearchedRegion
-    from trimmer.elements.element import Element
 
 CALLER = 3  # Level of the stack on which a warning of a function that takes a loop names its caller's line
 

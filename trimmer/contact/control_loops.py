@@ -14,25 +14,22 @@ import math
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy.linalg
 
+from trimmer.arrays import Complexes, Places, Reals
 from trimmer.contact.assembly import flow_without_stick
 from trimmer.contact.control_limits import first_control
 from trimmer.contact.curves import segments_at
 from trimmer.contact.flow import MechanismFlow
+from trimmer.contact.layout import Layout
 from trimmer.contact.statuses import ALWAYS, FORWARD, FREE, LOOSE, PLUS
 from trimmer.contact.statuses import WITHIN as UNLIMITED
 from trimmer.hybrid.clock import WITHIN
 from trimmer.linear.margins import Margins, StandingStates, margins_of, standing_states
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.messages import listed
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Places, Reals
-    from trimmer.contact.layout import Layout
-    from trimmer.mechanism.mechanism import Mechanism
 
 GROWS = 1e-7
 """Real part of an eigenvalue, as a share of the largest one, up to which it may be rounding of zeros."""

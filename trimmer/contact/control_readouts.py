@@ -1,26 +1,19 @@
 """What is read of controllers: what acts, what is demanded, and at which limit they are."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.contact.control_limits import first_control, limited
 from trimmer.contact.statuses import AT_LOWER, AT_UPPER
+from trimmer.contact.system import MechanismSystem
 from trimmer.hybrid.clock import TICKED
+from trimmer.hybrid.tables import Modes
+from trimmer.motion.course import Course
 from trimmer.motion.extremes import largest
 from trimmer.motion.part import Part
-from trimmer.motion.signals import Steady
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from trimmer.arrays import Reals
-    from trimmer.contact.system import MechanismSystem
-    from trimmer.hybrid.tables import Modes
-    from trimmer.motion.course import Course
-    from trimmer.motion.signals import Signal
+from trimmer.motion.signals import Signal, Steady
 
 
 def control_signal(modes: Modes[MechanismSystem], name: str) -> Signal:

@@ -8,21 +8,15 @@ all can stick, is unique, moves continuously with the resultant, is the same for
 depend on the order of the parts.
 """
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
 import numpy as np
 
+from trimmer.arrays import Integers, Places, Reals
 from trimmer.contact.assembly import flow_without_stick
 from trimmer.contact.statuses import FORWARD
+from trimmer.contact.system import MechanismSystem
 from trimmer.hybrid.dry_friction import DEPENDENT, admissible_split, independent, least_shares
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Integers, Places, Reals
-    from trimmer.contact.system import MechanismSystem
-    from trimmer.hybrid.tables import Modes
-    from trimmer.motion.course import Course
+from trimmer.hybrid.tables import Modes
+from trimmer.motion.course import Course
 
 
 def dry_forces(course: Course, rows: Integers, states: Reals) -> Reals:

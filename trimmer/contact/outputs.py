@@ -1,30 +1,22 @@
 """Outputs of a mechanism as functionals of its state: sums of motions of ends, and forces of parts."""
 
-from __future__ import annotations
-
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Integers, Reals
 from trimmer.contact.assembly import PUSHING, force_of
 from trimmer.contact.control_readouts import control_signal
 from trimmer.contact.curve_forces import force_signal as curve_signal
 from trimmer.contact.friction_forces import hold_forces, rows_in_mode
-from trimmer.contact.layout import Rows
+from trimmer.contact.layout import Layout, Rows
+from trimmer.contact.system import MechanismSystem
+from trimmer.hybrid.tables import Modes
+from trimmer.mechanism import Mechanism, Output
 from trimmer.mechanism.parts import OutputKind
-from trimmer.motion.signals import OwnValues, Readout, Steady, along, rate
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from trimmer.arrays import Integers, Reals
-    from trimmer.contact.layout import Layout
-    from trimmer.contact.system import MechanismSystem
-    from trimmer.hybrid.tables import Modes
-    from trimmer.mechanism import Mechanism, Output
-    from trimmer.motion.course import Course
-    from trimmer.motion.signals import Signal
+from trimmer.motion.course import Course
+from trimmer.motion.signals import OwnValues, Readout, Signal, Steady, along, rate
 
 
 def outputs_of(mechanism: Mechanism, modes: Modes[MechanismSystem]) -> dict[str, Readout]:

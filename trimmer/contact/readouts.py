@@ -1,9 +1,5 @@
 """What is read of the motion of a mechanism: outputs, accelerations, forces, and what its parts do."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from trimmer.contact.assembly import PUSHING
@@ -29,17 +25,14 @@ from trimmer.contact.statuses import (
     RESTS,
     STICK,
 )
+from trimmer.contact.system import MechanismSystem
 from trimmer.hybrid.system import NOTHING
+from trimmer.hybrid.tables import Modes
+from trimmer.motion.course import Course
 from trimmer.motion.extremes import extremes
 from trimmer.motion.part import Part, Phase
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-from trimmer.motion.signals import durations, while_status
-
-if TYPE_CHECKING:
-    from trimmer.contact.system import MechanismSystem
-    from trimmer.hybrid.tables import Modes
-    from trimmer.motion.course import Course
-    from trimmer.motion.signals import Signal
+from trimmer.motion.signals import Signal, durations, while_status
 
 _SIDES = {PLUS: Phase.UPPER, MINUS: Phase.LOWER, ALWAYS: Phase.EITHER}
 _OTHER_SIDE = {PLUS: MINUS, MINUS: PLUS, RELEASED_PLUS: RELEASED_MINUS, RELEASED_MINUS: RELEASED_PLUS}

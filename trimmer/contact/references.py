@@ -1,17 +1,12 @@
 """References of controllers over time: which of them force the states by times, and which as the waves do."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
+from trimmer.contact.frame import Frame
 from trimmer.contact.profiles import Profile
+from trimmer.mechanism import Mechanism, Reference
 from trimmer.mechanism.controls.references import ProfileReference, RampReference, StepReference
-
-if TYPE_CHECKING:
-    from trimmer.contact.frame import Frame
-    from trimmer.mechanism import Mechanism, Reference
 
 
 def references_in(mechanism: Mechanism) -> Iterator[Reference]:

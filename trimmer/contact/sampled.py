@@ -1,33 +1,26 @@
 """Sampled controllers as samplers of the core: what they read of a motion, and what they write."""
 
-from __future__ import annotations
-
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.contact.controllers.sampled_laws import BEFORE, Law, law_of
-from trimmer.contact.layout import Rows
+from trimmer.contact.layout import Layout, Rows
 from trimmer.contact.outputs import signal_of, speed_beyond
 from trimmer.errors import MechanismError
 from trimmer.hybrid.clock import ABOVE, BELOW, WITHIN
 from trimmer.hybrid.system import Sampler
+from trimmer.hybrid.tables import Modes
 from trimmer.mechanism.controls.controllers import DIFFERENCE
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import OutputKind
 from trimmer.mechanism.place_text import place_text
-from trimmer.motion.signals import Steady
+from trimmer.motion.signals import Signal, Steady
 from trimmer.motion.time_scale import slowest_period
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from trimmer.arrays import Reals
-    from trimmer.contact.layout import Layout
-    from trimmer.hybrid.tables import Modes
-    from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.motion.signals import Signal
 
 SHORTEST = 1e-9  # Shortest sample, as a share of the slowest period
 A_SECOND = 1.0  # Taken for that period where nothing has one, s

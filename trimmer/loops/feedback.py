@@ -1,16 +1,15 @@
 """A linear system of any size with any number of elements between its outputs and its inputs."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import product
-from typing import TYPE_CHECKING, Any, final
+from typing import Any, final
 
 import control
 import numpy as np
 
 from trimmer.arguments import require_instance
+from trimmer.arrays import Reals
 from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.errors import IllPosedLoopError, LoopError, UnsupportedMotionError
@@ -21,13 +20,10 @@ from trimmer.loops.drive import Drive
 from trimmer.loops.interconnection import Connection, Interconnection, effect, interconnected
 from trimmer.loops.loop_signal import LoopSignal
 from trimmer.loops.loops import AT_REST, ClosedLoop, Loop, taken_start
+from trimmer.loops.mode import LoopMode
 from trimmer.loops.plant import in_state_space, taken_system
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.messages import near_or_all
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.loops.mode import LoopMode
 
 UNDRIVEN: Mapping[str, Drive] = ReadOnly({})
 

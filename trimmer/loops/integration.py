@@ -1,19 +1,14 @@
 """The motion of a loop from an extended state, and its log in the modes of another loop."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from trimmer.hybrid.advance import MOST_STEPS, Instant, advance
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.hybrid.advance import Stretch
-    from trimmer.hybrid.tables import Modes
-    from trimmer.hybrid.work import Log
-    from trimmer.loops.system import LoopModes
+from trimmer.arrays import Reals
+from trimmer.hybrid.advance import MOST_STEPS, Instant, Stretch, advance
+from trimmer.hybrid.tables import Modes
+from trimmer.hybrid.work import Log
+from trimmer.loops.system import LoopModes
 
 
 def followed(

@@ -10,18 +10,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Complexes, Places, Reals
 from trimmer.errors import IllPosedLoopError, UnsupportedMotionError
+from trimmer.loops.components.switched_component import Component
 from trimmer.loops.components.threshold_component import ThresholdComponent
 from trimmer.loops.drive import Drive, common_omega
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Complexes, Places, Reals
-    from trimmer.loops.components.switched_component import Component
-
 
 NEGLIGIBLE = 1e-12
 """A product of a row and a column below this share of the product of their moduli is rounding."""

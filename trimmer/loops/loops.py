@@ -1,17 +1,16 @@
 """Loops whose motion can be simulated: a linear system with a nonlinear element, closed or driven."""
 
-from __future__ import annotations
-
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Self, cast, final
+from typing import Any, Self, cast, final
 
 import control
 
 from trimmer.arguments import finite_number, require_instance
+from trimmer.arrays import Reals
 from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Element
 from trimmer.errors import IllPosedLoopError, LoopError
@@ -19,15 +18,12 @@ from trimmer.linear.stored_system import restored, stored
 from trimmer.loops.components.of_elements import RigidComponent, components_of
 from trimmer.loops.drive import Drive, common_omega
 from trimmer.loops.interconnection import Connection, Interconnection, interconnected
+from trimmer.loops.mode import LoopMode
 from trimmer.loops.plant import realized, taken_system
 from trimmer.loops.system import LoopModes, LoopSystem
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.messages import near_or_all
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.loops.mode import LoopMode
 
 COMPUTED = ("model", "modes")  # What a loop computes from its fields and keeps
 AT_REST: Mapping[str, float] = ReadOnly({})

@@ -1,19 +1,13 @@
 """The linear system of a loop: taken as people have it, and realized in state space for its motion."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
 import control
 import numpy as np
 import scipy.signal
 
 from trimmer.arguments import shown
+from trimmer.arrays import Reals
 from trimmer.errors import UnsupportedMotionError
 from trimmer.linear.plant_forms import FORMS, adopted_system
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
 
 
 def taken_system(system: object) -> control.LTI:

@@ -1,24 +1,19 @@
 """The entry of exact simulation: a loop is followed from event to event."""
 
-from __future__ import annotations
-
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from trimmer.arguments import real_number
 from trimmer.hybrid.advance import AdvanceInterrupted, Ending, Instant
+from trimmer.hybrid.work import Log
 from trimmer.loops.components.backlash_component import BacklashComponent
 from trimmer.loops.initial import initial_segment
 from trimmer.loops.integration import followed
 from trimmer.loops.loops import Loop, require_loop
 from trimmer.loops.motion import LoopMotion, Outcome
-
-if TYPE_CHECKING:
-    from trimmer.hybrid.work import Log
-    from trimmer.loops.system import LoopModes
+from trimmer.loops.system import LoopModes
 
 OUTCOMES = {
     Ending.REACHED_END: Outcome.COMPLETED,

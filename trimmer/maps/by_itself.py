@@ -1,25 +1,19 @@
 """What a cell without a drive settles to: a controlled machine that rests, hunts or grows."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.errors import DivergingMotionError
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.advance import Ending, Instant
 from trimmer.hybrid.system import NOTHING
 from trimmer.maps.measures import Measures, chosen, of_orbit, of_window
+from trimmer.motion.course import Course
+from trimmer.motion.flow import Flow
 from trimmer.response.by_itself.self_excited import STRETCHES, self_excited
+from trimmer.response.orbit import Orbit
 from trimmer.response.response import MotionKind
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.hybrid.advance import Instant
-    from trimmer.motion.course import Course
-    from trimmer.motion.flow import Flow
-    from trimmer.response.orbit import Orbit
 
 RETURNS = 128  # Returns, at most, over which a motion is measured that does not repeat
 

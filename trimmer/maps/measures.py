@@ -4,14 +4,12 @@ Those of an orbit are exact. A window of a motion that does not repeat leaves mo
 and these take a fraction of the time.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Integers, Reals
 from trimmer.contact.curve_forces import curve_forces
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.statuses import STICK
@@ -19,15 +17,12 @@ from trimmer.hybrid.system import NOTHING
 from trimmer.mechanism.parts import OutputKind
 from trimmer.motion import measures as exact
 from trimmer.motion.chosen import chosen_measure
+from trimmer.motion.course import Course
 from trimmer.motion.extremes import extremes
+from trimmer.motion.flow import Flow
 from trimmer.motion.signals import Steady
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Integers, Reals
-    from trimmer.motion.course import Course
-    from trimmer.motion.flow import Flow
-    from trimmer.response.linear_lines import LinearLines
-    from trimmer.response.linear_motion import LinearMotion
+from trimmer.response.linear_lines import LinearLines
+from trimmer.response.linear_motion import LinearMotion
 
 SAMPLES = 128  # Samples per drive period of a window, beside its events
 

@@ -1,30 +1,22 @@
 """``sweep``: run-up and coast-down, as on a test bench, in equal steps of so many drive periods."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from trimmer.arguments import whole_number
 from trimmer.branches.follow import follow, require_continuous
 from trimmer.errors import MapError
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.advance import Ending, Instant
+from trimmer.loops.loops import Loop
 from trimmer.maps.jumps import jumps
 from trimmer.maps.plateau import Plateau, dwell
 from trimmer.maps.swept import Sweep, SweepPoint
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
+from trimmer.motion.flow import Flow
 from trimmer.progress import progress_bar
 from trimmer.response.flows import called, flow_of, require_subject
 from trimmer.response.forced_orbit import require_repeating
-from trimmer.response.starts import instant_of
-
-if TYPE_CHECKING:
-    from trimmer.hybrid.advance import Instant
-    from trimmer.loops.loops import Loop
-    from trimmer.motion.flow import Flow
-    from trimmer.response.starts import Start
+from trimmer.response.starts import Start, instant_of
 
 
 def sweep(  # noqa: PLR0913 (each is a choice of its own, all but four with a default)

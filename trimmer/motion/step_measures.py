@@ -4,11 +4,8 @@ Levels are shares of the step in the reference, not of what is reached at last. 
 in which it only rises or only falls, so that no crossing is missed and each is found as a zero.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,12 +13,9 @@ from trimmer.arrays import Reals
 from trimmer.hybrid.nodes import sample
 from trimmer.hybrid.work import Log
 from trimmer.linear.extrema import polished_root
+from trimmer.motion.course import Course
 from trimmer.motion.extremes import TurningPoints, largest, turning_points
-from trimmer.motion.signals import along
-
-if TYPE_CHECKING:
-    from trimmer.motion.course import Course
-    from trimmer.motion.signals import Signal
+from trimmer.motion.signals import Signal, along
 
 RISE = 0.1, 0.9  # Shares of the step from the first reaching of which to that of the other it rises
 BAND = 0.02  # Share of the step within which the signal stays once it has settled

@@ -1,25 +1,20 @@
 """What is read of an orbit, as data of a proof: functionals of the state in each of its modes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.impulses import first_wall
 from trimmer.contact.statuses import CONTACT_MADE, IMPACT, STICK
-from trimmer.motion.signals import OwnValues, Steady, rate
+from trimmer.motion.course import Course
+from trimmer.motion.flow import Flow
+from trimmer.motion.signals import OwnValues, Readout, Signal, Steady, rate
 from trimmer.proof.modes import Seen, begun_amid, instants, modes_used, motion_rows
 from trimmer.proof.outcome import UndecidedError
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.motion.course import Course
-    from trimmer.motion.flow import Flow
-    from trimmer.motion.signals import Readout, Signal
-    from trimmer.response.orbit import Orbit
+from trimmer.response.orbit import Orbit
 
 AXES = "displacements", "velocities"  # Names of what a body has
 

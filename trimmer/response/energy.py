@@ -4,14 +4,14 @@ Every force between two ends is a tension that pulls them together; its power go
 The integrals are sums over the nodes of the motion, exact to rounding; nothing is made to close.
 """
 
-from __future__ import annotations
-
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.contact.assembly import PUSHING, offset
 from trimmer.contact.control_readouts import control_signal
 from trimmer.contact.curve_forces import force_signal, stored_energy
@@ -20,18 +20,12 @@ from trimmer.contact.impacts import losses_at_walls, work_at_walls
 from trimmer.contact.layout import Rows
 from trimmer.contact.outputs import contact_force
 from trimmer.contact.statuses import RELAXING, STICK
+from trimmer.mechanism import Mechanism, Play, Stop
 from trimmer.mechanism.coordinates import inertia_of, rows_of_structures, weights_of_ends
-from trimmer.motion.signals import along, while_status
+from trimmer.motion.course import Course
+from trimmer.motion.signals import Signal, along, while_status
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import TERMS, Table
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
-
-    from trimmer.arrays import Reals
-    from trimmer.mechanism import Mechanism, Play, Stop
-    from trimmer.motion.course import Course
-    from trimmer.motion.signals import Signal
 
 
 @dataclass(frozen=True, repr=False)

@@ -1,15 +1,9 @@
 """The period that is counted, of a drive or only a sample: its name, and how much happens in it."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
 from trimmer.mechanism.drives import clocks_in, sines_in
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.subject import Subject
 from trimmer.showing.shown import counted
-
-if TYPE_CHECKING:
-    from trimmer.motion.subject import Subject
 
 DRIVE_PERIOD = "drive period"
 """What is counted of whatever is driven by more than samples."""

@@ -1,19 +1,14 @@
 """What a mechanism settles to, as JSON has it: SI units, full precision."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from trimmer.mechanism.cut_waveforms import waveforms_left_out
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.response.response import MotionKind
-
-if TYPE_CHECKING:
-    from trimmer.motion.measures import Measures
-    from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-    from trimmer.response.estimate import Estimate
-    from trimmer.response.response import Response, SettledMotion
-    from trimmer.response.rest import Rest
+from trimmer.motion.measures import Measures
+from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
+from trimmer.response.estimate import Estimate
+from trimmer.response.response import MotionKind, Response, SettledMotion
+from trimmer.response.rest import Rest
 
 
 def response_json(response: Response) -> dict[str, Any]:

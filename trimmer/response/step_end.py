@@ -4,27 +4,22 @@ What hunts slowly is followed for some of its periods; what hunts without repeat
 one after the other, are alike. A motion that comes to rest is followed until it does.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trimmer.arrays import Reals
+from trimmer.contact.flow import MechanismFlow
 from trimmer.hybrid.advance import Ending
+from trimmer.motion.course import Course
 from trimmer.motion.extremes import extremes, turning_points
 from trimmer.motion.signals import along
 from trimmer.motion.time_scale import time_scale
 from trimmer.response.by_itself.asymptotic import asymptotic_rest
+from trimmer.response.orbit import Orbit
 from trimmer.response.rest import at_rest
 from trimmer.response.solved import rest_after
-
-if TYPE_CHECKING:
-    from trimmer.arrays import Reals
-    from trimmer.contact.flow import MechanismFlow
-    from trimmer.motion.course import Course
-    from trimmer.response.orbit import Orbit
 
 STRETCHES = (5, 20, 80, 320, 1280)  # How long is followed at most, in periods of the slowest mode
 CYCLES = (5, 20, 80)  # The same in periods of a cycle
