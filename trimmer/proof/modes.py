@@ -245,10 +245,6 @@ def _require_covered(course: Course, system: System) -> None:
         raise UndecidedError("the orbit is one of another system")
     if layout.ramp or layout.drifts or len(layout.breaks):
         raise UndecidedError("forces that do not repeat with the drive are not covered")
-    n = layout.state_count
-    block = system.mode(course.modes[0].statuses).flow[n:, n:] / (layout.omega or 1.0)
-    if abs(block - np.rint(block)).max(initial=0.0) > 1e-9:
-        raise UndecidedError("forces that are no multiples of the drive are not covered")
 
 
 def instants(seen: Seen, with_breaks: bool = False) -> Iterator[tuple[int, int]]:
