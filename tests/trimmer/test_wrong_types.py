@@ -138,19 +138,16 @@ CALLS = {
     trimmer.spectra.Tolerance: {"bins": 1.0, "model": 0.1},
 }
 NONE_WILL_DO = {
-    *(
-        "omega_range",
-        "frozen_omega",
-        "initial_state",
-        "limit",
-        "count",
-        "drive_frequency",
-        "settling",
-        "drive",
-    ),
-    *("element", "sample_rate", "omega", "guesses", "search", "half_periods", "channel", "highest"),
-    "sensor_corner",
+    "omega_range",
+    "frozen_omega",
+    "initial_state",
+    "limit",
+    "count",
+    "drive_frequency",
+    "settling",
 }
+NONE_WILL_DO |= {"drive", "element", "sample_rate", "omega", "guesses", "search", "half_periods", "channel"}
+NONE_WILL_DO |= {"highest", "sensor_corner", "settling"}
 """Arguments that may be left out, somewhere."""
 ALSO_NAMED = {"values": "samples", "signal": "samples", "bins": "tolerance in bins"}
 ALSO_NAMED |= {"model": "model tolerance", "bin_width": "bin width", "drive_frequency": "of the drive"}

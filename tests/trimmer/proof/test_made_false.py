@@ -52,6 +52,16 @@ def require_refused(path: Path, original: Proof, change: Change, told: str) -> N
     assert (bool(checked), checked.theorem) == (False, "")
 
 
+def all_of(*changes: Change) -> Change:
+    return lambda data: [change(data) for change in changes]
+
+
+def lasts(factor: float) -> Change:
+    """Of what meets no event: so many periods."""
+    first = at("motion", "segments", 0, "duration", by=factor)
+    return all_of(first, at("motion", "periods", to=factor))
+
+
 def merged(data: Data, first: int, last: int) -> None:
     """Leave out the segments from first to before last."""
     del data["motion"]["segments"][first:last]
@@ -77,31 +87,11 @@ def twice(data: Data) -> None:
     motion["periods"] *= 2
 
 
-def twice_and_otherwise(data: Data) -> None:
-    twice(data)
-    data["equations"]["resets"][-1][1][1] += 1e-13
-
-
-def without_an_event_of_three_periods(data: Data) -> None:
-    data["motion"]["periods"] = 3.0
-    data["motion"]["segments"][0]["duration"] *= 3
-
-
 def shorter_than_its_period(data: Data) -> None:
     """End it with the last instant of the clock."""
     segments = data["motion"]["segments"]
     last = max(place for place, each in enumerate(segments) if each["at"] is not None)
     del segments[last + 1 :], data["equations"]["resets"][last + 1 :]
-
-
-def backwards(data: Data) -> None:
-    data["motion"]["periods"] = -1.0
-    data["motion"]["segments"][0]["duration"] *= -1
-
-
-def of_no_length(data: Data) -> None:
-    data["motion"]["periods"] = 0.0
-    data["motion"]["segments"][0]["duration"] = 0.0
 
 
 def halved_at_its_start(data: Data) -> None:
@@ -116,19 +106,9 @@ def halved_at_its_start(data: Data) -> None:
         equations["resets"][0][i][i] /= 2
 
 
-def off_in_units_of_its_own(data: Data) -> None:
-    data["motion"]["sizes"][0] *= 1e9
-    data["motion"]["state"][0] *= 1.1
-
-
 def without_limits(data: Data) -> None:
     for each in data["motion"]["segments"]:
         each["strict"] = []
-
-
-def sizes_of_others(data: Data) -> None:
-    data["motion"]["sizes"][1] *= 1e-30
-    data["motion"]["state"][0] *= 1 + 1e-6
 
 
 def clock_of_another_period(data: Data) -> None:
@@ -138,10 +118,6 @@ def clock_of_another_period(data: Data) -> None:
 
 def ended_twice(data: Data) -> None:
     next(each for each in data["motion"]["segments"] if each["fired"] is not None)["at"] = 0.0
-
-
-def of_words(data: Data) -> None:
-    data["motion"]["sizes"][0] = str(data["motion"]["sizes"][0])
 
 
 def of_a_mode_from_behind(data: Data) -> None:
@@ -158,30 +134,41 @@ def in_a_mode_that_is_no_mirror_image(data: Data) -> None:
         each[-1]["functions"].append([0.0] * (len(each[-1]["flow"][0]) - 1) + [1.0])
 
 
-def of_half_a_motion(data: Data) -> None:
-    data["motion"]["signs"] = []
-    data["kind"] = "period-doubling"
-
-
+TWICE_AND_OTHERWISE = all_of(twice, at("equations", "resets", -1, 1, 1, plus=1e-13))
+OFF_IN_ITS_UNITS = all_of(at("motion", "sizes", 0, by=1e9), at("motion", "state", 0, by=1.1))
+SIZES_OF_OTHERS = all_of(at("motion", "sizes", 1, by=1e-30), at("motion", "state", 0, by=1 + 1e-6))
+OF_HALF_A_MOTION = all_of(at("motion", "signs", to=[]), at("kind", to="period-doubling"))
 CHANGES = [
     ("stable loop", half, "a part of a motion is no orbit"),
     ("relay", twice, "2 times over"),
     ("ball on a wall", twice, "2 times over"),
-    ("without events", without_an_event_of_three_periods, "3 times over"),
-    ("ball on a wall", twice_and_otherwise, "one event does different things to the states"),
+    ("without events", lasts(3.0), "3 times over"),
+    (
+        "ball on a wall",
+        TWICE_AND_OTHERWISE,
+        "one event does different things to the states",
+    ),
     ("sampled, at its limit", shorter_than_its_period, "the motion begins or ends at an event"),
     ("sampled, at its limit", clock_of_another_period, "the instants of the clock are not those"),
-    ("without events", backwards, "a period is not positive"),
-    ("without events", of_no_length, "a period is not positive"),
+    ("without events", lasts(-1.0), "a period is not positive"),
+    ("without events", lasts(0.0), "a period is not positive"),
     ("without events", halved_at_its_start, "the states jump where the motion begins"),
-    ("without events", off_in_units_of_its_own, "of state 0 is none that the motion reaches"),
-    ("without events", sizes_of_others, "the motion begins elsewhere: state 0"),
+    (
+        "without events",
+        OFF_IN_ITS_UNITS,
+        "of state 0 is none that the motion reaches",
+    ),
+    (
+        "without events",
+        SIZES_OF_OTHERS,
+        "the motion begins elsewhere: state 0",
+    ),
     ("relay", at("motion", "segments", 0, "zeros", to=[[0, 1]]), "the motion begins or ends at an event"),
     ("sampled, at its limit", ended_twice, "a segment ends without an event"),
     ("sampled, at its limit", without_limits, "the file says another theorem"),
     ("relay", at("motion", "segments", -1, "together", to=[0]), "an event function is named where none ends"),
     ("relay", at("motion", "remark", to="it is the only one"), "unknown key 'remark'"),
-    ("relay", of_words, "not a number"),
+    ("relay", at("motion", "sizes", 0, to="1.0"), "not a number"),
     ("relay", of_a_mode_from_behind, "there is no mode -2"),
 ]
 
@@ -195,7 +182,11 @@ def test_an_orbit_that_was_made_false_is_refused(tmp_path, name: str, change: Ch
     ("name", "change", "told"),
     [
         ("stops", in_a_mode_that_is_no_mirror_image, "does not end in the mode in which it begins"),
-        ("stops", of_half_a_motion, "half of a motion has signs, and no other has"),
+        (
+            "stops",
+            OF_HALF_A_MOTION,
+            "half of a motion has signs, and no other has",
+        ),
         ("doubling", at("value", by=1 + 2e-6), "nearest to it is at 0.88437926"),
     ],
 )

@@ -2,12 +2,10 @@
 
 import numpy as np
 import pytest
-from scipy.integrate import cumulative_simpson
 
-from trimmer import Drive, FrictionBacklash, Signal, TrimmerLoop, TrimmerParameters, convert, simulate
-from trimmer.signals import Conversion, MotionQuantity, SignalError
+from trimmer import Signal, convert
+from trimmer.signals import Conversion, MotionQuantity
 from trimmer.signals.quantity import STANDARD_GRAVITY
-from trimmer.spectra import fit_harmonics
 
 RATE = 10_000.0
 TIMES = 0.3 + np.arange(20_000) / RATE
@@ -97,19 +95,6 @@ def test_noise_alone_is_called_that() -> None:
     assert any("no lines" in note for note in made(NOISE, 2, "displacement").signal.notes)
 
 
-def test_it_agrees_with_integration_in_time() -> None:
-    """Simpson's rule by SciPy, but for the parabola that the unknown start and its errors leave."""
-    acceleration = exact(TIMES, 2)
-    velocity = cumulative_simpson(acceleration, dx=1 / RATE, initial=0.0)
-    displacement = cumulative_simpson(velocity, dx=1 / RATE, initial=0.0)
-    conversion = made(acceleration, 2, "displacement")
-    reach = round(conversion.cut * RATE)
-    difference = conversion.signal.values - displacement[reach:-reach]
-    parabola = np.polynomial.Polynomial.fit(conversion.signal.times, difference, 2)
-    rest = np.abs(difference - parabola(conversion.signal.times)).max()
-    assert rest < 1e-3 * conversion.signal.values.std()
-
-
 def test_it_is_linear_shifts_with_the_signal_and_keeps_the_scale() -> None:
     one, two = exact(TIMES, 2) + NOISE, np.roll(NOISE, 777)
     first, second = (made(x, 2, "displacement", **FIXED).signal.values for x in (one, two))
@@ -164,22 +149,3 @@ def test_faults_of_the_source_are_told_though_the_result_hides_them() -> None:
 def test_what_cannot_be_converted_is_refused(unit, quantity, options, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         convert(Signal(exact(TIMES, 2), RATE, "a", unit), quantity, **options)
-    with pytest.raises(SignalError, match="40 samples are too few"):
-        convert(Signal(NOISE[:40], RATE, "a", "m"), "velocity")
-
-
-@pytest.mark.slow
-def test_the_exact_motion_of_the_trimmer_comes_back_from_its_acceleration() -> None:
-    """Its displacement, differentiated as lines; offset, drift and noise are added to the acceleration."""
-    loop = TrimmerLoop(TrimmerParameters.thesis(), FrictionBacklash(4e-5), Drive(1.5e-3, 2 * np.pi * 110.0))
-    times = np.arange(0.3, 1.3, 1 / RATE)
-    fit = fit_harmonics(simulate(loop, 1.3).output(times), RATE, 110.0, 12)
-    turned = np.exp(2j * np.pi * 110.0 * np.outer(np.arange(1, 13), times - times[0]))
-    omega = 2 * np.pi * 110.0 * np.arange(1, 13)
-    displacement = (fit.coefficients @ turned).real
-    acceleration = ((fit.coefficients * (1j * omega) ** 2) @ turned).real
-    measured = acceleration + 0.01 * acceleration.std() * NOISE[: times.size] + 50.0 + 20.0 * times
-    conversion = convert(Signal(measured, RATE, "a", "m/s2"), "displacement")
-    reach = round(conversion.cut * RATE)
-    error = conversion.signal.values - displacement[reach : reach + conversion.signal.values.size]
-    assert error.std() < 2 * conversion.noise < 0.05 * displacement.std()
