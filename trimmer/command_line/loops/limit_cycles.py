@@ -4,33 +4,23 @@ from __future__ import annotations
 
 import math
 from argparse import ArgumentParser, Namespace
-from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, uses
-from trimmer.command_line.file_options import PICTURES, add_input, check_targets, show
+from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.loops.loop_options import (
     add_element_options,
     add_loop_options,
-    chosen_element,
-    closed_loop,
+    add_response_option,
+    chosen_loop,
 )
 from trimmer.command_line.output_options import add_output_options, write_picture
-from trimmer.command_line.parser import OptionError, as_option, is_given
-
-if TYPE_CHECKING:
-    from trimmer.loops.measured_loop import MeasuredLoop
+from trimmer.command_line.parser import OptionError
 
 
 def _configure(parser: ArgumentParser) -> None:
     add_element_options(parser)
     add_loop_options(parser)
-    add_input(
-        parser,
-        "--response",
-        "measured response of the linear part, a table (CSV) of frequency (Hz) or omega (rad/s), and of "
-        "real and imaginary, or magnitude or decibels with phase (rad) or degrees; predictions then lie "
-        "between its frequencies alone, without a certificate (default: the trimmer)",
-    )
+    add_response_option(parser)
     parser.add_argument(
         "--omega-range",
         nargs=2,
@@ -48,7 +38,7 @@ def _run(arguments: Namespace) -> int:
     omegas = _omega_range(arguments)
     sources = {"parameters": "the file of the parameters", "response": "the file of the response"}
     check_targets(arguments, {"plot": PICTURES}, sources)
-    loop = closed_loop(arguments) if arguments.response is None else _measured(arguments)
+    loop = chosen_loop(arguments)
     balance = harmonic_balance(loop.system, loop.element, omegas)
     if arguments.plot is not None:
         from trimmer.drawing.locus import balance_figure
@@ -56,19 +46,6 @@ def _run(arguments: Namespace) -> int:
         write_picture(arguments, balance_figure(balance))
     show((as_json if arguments.json else as_text)(loop, balance), arguments.plot)
     return 0
-
-
-def _measured(arguments: Namespace) -> MeasuredLoop:
-    """Return the loop of an element and a measured response."""
-    from trimmer.linear.measured_response import measured_response
-    from trimmer.loops.measured_loop import MeasuredLoop
-
-    for name in ("parameters", "displacement", "channels"):
-        if is_given(arguments, name):
-            raise OptionError(
-                f"{as_option(name)} is of the trimmer, and --response is in its place; leave one out"
-            )
-    return MeasuredLoop(measured_response(arguments.response), chosen_element(arguments))
 
 
 def _omega_range(arguments: Namespace) -> tuple[float, float] | None:

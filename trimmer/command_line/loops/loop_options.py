@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from trimmer.elements.element import Element
     from trimmer.loops.loops import ClosedLoop
+    from trimmer.loops.measured_loop import MeasuredLoop
     from trimmer.parameters import TrimmerParameters
 
 CHANNELS = ("displacement", "both")
@@ -77,8 +78,8 @@ def add_loop_options(parser: ArgumentParser, *, output_is_file: bool = False) ->
     )
 
 
-def add_element_options(parser: ArgumentParser, *, required: bool = True) -> None:
-    """Add the options that choose the element, which may be left out unless required."""
+def add_element_options(parser: ArgumentParser, *, required: bool = True, gap: bool = True) -> None:
+    """Add the options that choose the element, which may be left out unless required; ``--gap`` if asked."""
     parser.add_argument(
         "--element",
         choices=list(ELEMENTS),
@@ -87,6 +88,8 @@ def add_element_options(parser: ArgumentParser, *, required: bool = True) -> Non
         "saturation; dead zone; preload, which is a gain and a relay",
     )
     for name, (metavar, meaning) in _MEANINGS.items():
+        if name == "gap" and not gap:
+            continue
         parser.add_argument(as_option(name), type=float, metavar=metavar, help=meaning)
 
 
@@ -99,6 +102,32 @@ _MEANINGS = {
     "hysteresis": ("M", "half the width of the loop, m (relay; default: 0)"),
     "dead_zone": ("M", "half the width without output, m (relay; default: 0)"),
 }
+
+
+def add_response_option(parser: ArgumentParser) -> None:
+    """Add the option that takes a measured linear part."""
+    add_input(
+        parser,
+        "--response",
+        "measured response of the linear part, a table (CSV) of frequency (Hz) or omega (rad/s), and of "
+        "real and imaginary, or magnitude or decibels with phase (rad) or degrees; predictions then lie "
+        "between its frequencies alone, without a certificate (default: the trimmer)",
+    )
+
+
+def chosen_loop(arguments: Namespace) -> ClosedLoop | MeasuredLoop:
+    """Return the loop of the element and of the trimmer or a measured response."""
+    if arguments.response is None:
+        return closed_loop(arguments)
+    from trimmer.linear.measured_response import measured_response
+    from trimmer.loops.measured_loop import MeasuredLoop
+
+    for name in ("parameters", "displacement", "channels"):
+        if is_given(arguments, name):
+            raise OptionError(
+                f"{as_option(name)} is of the trimmer, and --response is in its place; leave one out"
+            )
+    return MeasuredLoop(measured_response(arguments.response), chosen_element(arguments))
 
 
 def closed_loop(arguments: Namespace) -> ClosedLoop:

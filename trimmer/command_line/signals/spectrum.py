@@ -8,7 +8,14 @@ from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, add_input, add_overwrite_option, check_targets, show
-from trimmer.command_line.loops.loop_options import add_loop_options, chosen_parameters, linear_part
+from trimmer.command_line.loops.loop_options import (
+    ELEMENT_OPTIONS,
+    add_element_options,
+    add_loop_options,
+    add_response_option,
+    chosen_loop,
+    chosen_parameters,
+)
 from trimmer.command_line.mechanism_options import add_set_option, mechanism_with
 from trimmer.command_line.number_options import add_count, add_positive
 from trimmer.command_line.output_options import (
@@ -22,7 +29,6 @@ from trimmer.command_line.signals.signal_options import ChosenRecording, add_sig
 from trimmer.files import CSV, STANDARD_INPUT, WAV
 
 if TYPE_CHECKING:
-    from trimmer.balance.limit_cycle import LimitCycle
     from trimmer.command_line.signals.spectrum_text import PredictedFrequencies
     from trimmer.signals import Signal, WavFile
     from trimmer.spectra import AveragedSpectrum, MotionComparison, SpectrumAnalysis
@@ -47,6 +53,8 @@ def _configure(parser: ArgumentParser) -> None:
         "total clearance of a friction-controlled play, whose stable limit cycles (harmonic balance) "
         "are looked for too",
     )
+    add_element_options(parser, required=False, gap=False)
+    add_response_option(parser)
     parser.add_argument(
         "--closed-loop",
         action="store_true",
@@ -118,12 +126,16 @@ def _check(arguments: Namespace) -> None:
     if arguments.against is None and arguments.set:
         raise OptionError("--set is for the mechanism of --against: name its file")
     if arguments.against is not None:
-        for name in ("gap", "parameters", "channels"):
+        for name in ("gap", "element", "response", "parameters", "channels"):
             if is_given(arguments, name):
-                raise OptionError(f"{as_option(name)} is of the thesis's trimmer: leave it or --against out")
-    elif arguments.gap is None:
+                raise OptionError(f"{as_option(name)} is of a loop: leave it or --against out")
+    elif arguments.gap is None and arguments.element is None:
         of_loop = ["displacement", "channels"]
         refuse_unused(arguments, of_loop, "--gap, whose limit cycles are predicted with it")
+    if arguments.element is None:
+        refuse_unused(
+            arguments, ["response", *(each for each in ELEMENT_OPTIONS if each != "gap")], "--element"
+        )
     if arguments.wav is None:
         refuse_unused(arguments, ["bits"], "--wav")
     if arguments.file == arguments.parameters == STANDARD_INPUT:
@@ -131,6 +143,7 @@ def _check(arguments: Namespace) -> None:
     if arguments.file == arguments.against == STANDARD_INPUT:
         raise OptionError("signal and --against cannot both be read from standard input: name a file")
     sources = {
+        "response": "the file of the response",
         "against": "the file of the mechanism",
         "file": "the file of the signal",
         "parameters": "the file of the parameters",
@@ -139,21 +152,27 @@ def _check(arguments: Namespace) -> None:
 
 
 def _predictions(arguments: Namespace) -> PredictedFrequencies:
-    """Find natural modes, and limit cycles if a gap is given."""
-    from trimmer.balance.solve import harmonic_balance
+    """Find natural modes, and limit cycles if an element or a gap is given."""
     from trimmer.command_line.signals.spectrum_text import PredictedFrequencies
-    from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
     from trimmer.linear.modes import modes
 
-    cycles: tuple[LimitCycle, ...] = ()
-    if arguments.gap is not None:
-        cycles = harmonic_balance(linear_part(arguments), FrictionBacklash(arguments.gap)).limit_cycles
-    return PredictedFrequencies(
-        source="the thesis's trimmer" if arguments.parameters is None else str(arguments.parameters),
-        natural_frequencies=tuple(mode.frequency for mode in modes(chosen_parameters(arguments))),
-        gap=arguments.gap,
-        limit_cycles=tuple(cycle.frequency for cycle in cycles if cycle.stable),
-    )
+    known, source = None, str(arguments.response)
+    if arguments.response is None:
+        known = tuple(mode.frequency for mode in modes(chosen_parameters(arguments)))
+        source = "the thesis's trimmer" if arguments.parameters is None else str(arguments.parameters)
+    if arguments.element is None and arguments.gap is None:
+        return PredictedFrequencies(source, known, None, ())
+    from trimmer.balance.solve import harmonic_balance
+
+    words = arguments.element
+    if words is None:
+        arguments, words = (
+            Namespace(**{**vars(arguments), "element": "friction"}),
+            f"a gap of {arguments.gap:g} m",
+        )
+    loop = chosen_loop(arguments)
+    cycles = harmonic_balance(loop.system, loop.element).limit_cycles
+    return PredictedFrequencies(source, known, words, tuple(each.frequency for each in cycles if each.stable))
 
 
 def _against(
@@ -192,7 +211,7 @@ def _analysis(
         analysis = analyse_signal(
             signal,
             drive,
-            predictions.natural_frequencies,
+            predictions.natural_frequencies or (),
             predictions.limit_cycles,
             arguments.window,
             arguments.limit,

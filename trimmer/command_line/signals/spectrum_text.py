@@ -54,8 +54,9 @@ class PredictedFrequencies:
     """Frequencies that the model predicts."""
 
     source: str  # Name of the trimmer: that of the thesis, or a parameter file
-    natural_frequencies: tuple[float, ...]  # Frequencies of the natural modes, Hz; 0 for an overdamped one
-    gap: float | None  # Total clearance of the backlash, m; None if no limit cycles were asked for
+    # Frequencies of the natural modes, Hz; 0 for an overdamped one; None of a measured response
+    natural_frequencies: tuple[float, ...] | None
+    element: str | None  # What closes the loop, in words; None if no limit cycles were asked for
     limit_cycles: tuple[float, ...]  # Frequencies of the stable limit cycles, Hz
     # That with which a mechanism without a drive repeats, in the measurement, Hz
     own_frequency: float | None = None
@@ -105,8 +106,8 @@ def as_json(shown: ShownSignal) -> str:
         "spectrum": picked(spectrum, "window", "bin_width", "mean"),
         "harmonics": None if fit is None else _fit(fit),
         "natural_frequencies": predictions.natural_frequencies,
-        "limit_cycles": None if predictions.gap is None else predictions.limit_cycles,
-        "limit_cycle_frequencies": None if predictions.gap is None else predictions.limit_cycles,
+        "limit_cycles": None if predictions.element is None else predictions.limit_cycles,
+        "limit_cycle_frequencies": None if predictions.element is None else predictions.limit_cycles,
         "peaks": [_peak(classified, analysis) for classified in analysis.peaks],
         "against": None if shown.against is None else _against(shown.against),
         "averaged": None if shown.averaged is None else averaged_json(shown.averaged),
@@ -177,11 +178,12 @@ def _candidates(analysis: SpectrumAnalysis, predictions: PredictedFrequencies) -
     yield "Candidates"
     if analysis.harmonics is not None:
         yield f"  harmonics of {analysis.harmonics.frequency:.9g} Hz"
-    listed = _listed(frequency for frequency in predictions.natural_frequencies if frequency > 0)
-    yield f"  natural modes of {predictions.source}: {listed}"
-    if predictions.gap is not None:
+    if predictions.natural_frequencies is not None:
+        listed = _listed(frequency for frequency in predictions.natural_frequencies if frequency > 0)
+        yield f"  natural modes of {predictions.source}: {listed}"
+    if predictions.element is not None:
         listed = _listed(predictions.limit_cycles)
-        yield f"  stable limit cycles with a gap of {predictions.gap:g} m (harmonic balance): {listed}"
+        yield f"  stable limit cycles with {predictions.element} (harmonic balance): {listed}"
     if predictions.own_frequency is not None:
         yield f"  multiples of {predictions.own_frequency:.9g} Hz, with which the mechanism repeats by itself"
     yield (
