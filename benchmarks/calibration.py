@@ -13,8 +13,7 @@ from argparse import ArgumentParser
 
 import numpy as np
 
-REFERENCE = 0.024
-"""Time of the loop, s, on the machine on which the targets were set, in its fast phases."""
+REFERENCE = 0.024  # Time of the loop, s, on the machine on which the targets were set, in its fast phases
 ROUNDS = 7
 
 

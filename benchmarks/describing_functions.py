@@ -21,8 +21,7 @@ from trimmer.arrays import Reals
 VALUES = 1_000_000
 PEER_VALUES = 20
 RUNS = 5
-TARGET = 1.0
-"""Upper limit for ``VALUES`` viscous-controlled values on one core, s."""
+TARGET = 1.0  # Upper limit for ``VALUES`` viscous-controlled values on one core, s
 
 
 def processor_time(action: Callable[[], object]) -> float:

@@ -34,8 +34,7 @@ GAP = 4e-5
 LOOP = pin_model(TrimmerParameters.thesis(), channels=InputChannels.DISPLACEMENT_ONLY)
 GUESSES = ((1.897, 3478.0), (0.1203, 4609.0))
 ROUNDS = 15
-CALLS = 20
-"""Calls of each of our functions in a round."""
+CALLS = 20  # Calls of each of our functions in a round
 LOOPS = iter([(1.0 + 1e-15 * number) * LOOP for number in range(1, 2 + ROUNDS * CALLS)])
 """For each call one that was not seen before."""
 TARGET = 3e-3

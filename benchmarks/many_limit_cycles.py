@@ -21,11 +21,9 @@ from trimmer.linear.model import pin_model
 from trimmer.parameters import TrimmerParameters
 
 COUNT = 20_000
-SINGLE = 300
-"""As many are computed one by one."""
+SINGLE = 300  # As many are computed one by one
 ROUNDS = 3
-TARGET = 20_000
-"""Trimmers per second and core, on an idle machine."""
+TARGET = 20_000  # Trimmers per second and core, on an idle machine
 
 
 def main() -> None:

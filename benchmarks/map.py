@@ -29,15 +29,13 @@ from trimmer.runners.processes import ProcessRunner
 TWIN = Mechanism.from_toml(Path(__file__).parents[1] / "examples" / "thesis-play.toml")
 CELLS = 100
 PROCESSES = 2
-TARGET = 40.0
-"""s for 100 x 100 cells, where the calibration loop takes what is its reference."""
+TARGET = 40.0  # s for 100 x 100 cells, where the calibration loop takes what is its reference
 PEER_PERIODS = 2
 GAP, OMEGA = 40e-6, 2 * np.pi * 110.0
 MASSES = np.array([0.035, 0.003, 0.005, 0.030])
 LINKS = ((-1, 0, 200e3, 3.5), (-1, 2, 150e3, 1.0), (2, 3, 100e3, 4.0), (2, 1, 1e3, 0.0))
 """Bodies at start, -1 for the ground, and end; stiffness, N/m, and damping, N s/m."""
-SMOOTHING = 1e-2
-"""Velocity below which the friction of the peer is smoothed, m/s."""
+SMOOTHING = 1e-2  # Velocity below which the friction of the peer is smoothed, m/s
 
 
 def own(columns: int, rows: int) -> tuple[float, MotionMap]:

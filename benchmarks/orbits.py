@@ -28,8 +28,7 @@ GAP = 4e-6
 LOOP = pin_model(TrimmerParameters.thesis(), channels=InputChannels.DISPLACEMENT_ONLY)
 PERIODS = 40
 ROUNDS = 5
-CALLS = 20
-"""Calls of ours in a round."""
+CALLS = 20  # Calls of ours in a round
 TARGET = 2.9e-3
 
 

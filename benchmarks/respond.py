@@ -29,8 +29,7 @@ TWIN = Mechanism.from_toml(Path(__file__).parents[1] / "examples" / "thesis-play
 ROUNDS = 15
 PERIODS = 300
 PEER_PERIODS = 4
-DURATION = 5.0
-"""Of the motion for an event through simulate, s."""
+DURATION = 5.0  # Of the motion for an event through simulate, s
 TARGETS = {"respond": 4e-3, "orbit": 1.5e-3, "event": 1.5e-6, "simulate": 3e-6, "ratio": 300}
 
 

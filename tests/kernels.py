@@ -18,8 +18,7 @@ if TYPE_CHECKING:
     from trimmer import Mechanism
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
-MANY = 2000
-"""Tests from which on a run needs all of it."""
+MANY = 2000  # Tests from which on a run needs all of it
 
 
 def warm_up(tests: int) -> None:

@@ -26,8 +26,7 @@ from benchmarks.problems.read import Digit, Problem, problems
 PROJECT = Path(__file__).resolve().parents[2]
 ENVIRONMENT = PROJECT / "build" / "peers"
 PACKAGES = ("control==0.10.2", "mpmath", "mujoco==4.0.0", "pyHarm-os==1.2.2", "scipy==1.17.1")
-LONGEST = 600.0
-"""A peer that takes longer, s, is ended; what it told until then is shown."""
+LONGEST = 600.0  # A peer that takes longer, s, is ended; what it told until then is shown
 OWN = "trimmer"
 
 

@@ -7,8 +7,7 @@ import time
 from collections.abc import Callable
 
 ROUNDS = 3
-LONG = 2.0
-"""No further run after this, s."""
+LONG = 2.0  # No further run after this, s
 
 
 def shortest(ask: Callable[[], float]) -> tuple[float, float]:

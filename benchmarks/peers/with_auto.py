@@ -18,8 +18,7 @@ SETTINGS = {
     "stop smoothed over 0.01, NTST 50": ("1d-2", 50),
     "stop smoothed over 1e-4, NTST 200": ("1d-4", 200),
 }
-FOLD, DOUBLING = 5, 7
-"""AUTO's numbers of the types of special points, its manual, section 5.3."""
+FOLD, DOUBLING = 5, 7  # AUTO's numbers of the types of special points, its manual, section 5.3
 EQUATIONS = """
 subroutine func(ndim, u, icp, par, ijac, f, dfdu, dfdp)
   implicit none

@@ -16,8 +16,7 @@ from pathlib import Path
 from benchmarks.problems.proven import proven_digits
 from benchmarks.problems.read import FOLDER, Problem, problems
 
-TABLE = Path(__file__).parents[1] / "peers" / "table.md"
-"""What the last run of the peers gave."""
+TABLE = Path(__file__).parents[1] / "peers" / "table.md"  # What the last run of the peers gave
 FIRST = """# Problems with digits
 
 {number} problems of play, stops, friction, impact and control, with {digits} numbers, each found in two

@@ -14,8 +14,7 @@ KINDS = frozenset({"play", "stop", "friction", "impact", "control"})
 NEEDED = {"title", "kinds", "statement", "second_way", "digits"}
 KEYS = NEEDED | {"source", "ways", "machine", "asks", "python", "files"}
 LEAST_WAYS = 2
-COARSEST = 1e-5
-"""A digit is confirmed to this at least, relative."""
+COARSEST = 1e-5  # A digit is confirmed to this at least, relative
 
 
 class ProblemError(ValueError):

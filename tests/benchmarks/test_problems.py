@@ -22,8 +22,7 @@ OURS = (
     *("ball-to-rest", "conveyor", "falling-friction", "gear-rattle", "hardening-spring", "lever-play"),
     *("preloaded-stop", "sampled-axis", "sampled-servo", "servo-to-rest", "soft-wall", "structure-stop"),
 )
-SECOND = ("ball-to-rest", "den-hartog", "preloaded-stop", "sampled-axis")
-"""Asked in each quick run."""
+SECOND = ("ball-to-rest", "den-hartog", "preloaded-stop", "sampled-axis")  # Asked in each quick run
 GIVEN = """
 title = "A"
 kinds = ["play"]

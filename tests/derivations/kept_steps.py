@@ -51,8 +51,7 @@ NARRATIVES: Mapping[str, Callable[[], tuple[NarrativeStep, ...]]] = {
     "textbook": textbook_narrative,
     "mechanism": lambda: mechanism_narrative(derive_mechanism(every_part())),
 }
-SOURCES = ("document", "module")
-"""What `trimmer derive` writes of an example."""
+SOURCES = ("document", "module")  # What `trimmer derive` writes of an example
 sources = cache(lambda: derive_mechanism_sources(MechanismOfNumbers.from_toml(EXAMPLE)))
 
 

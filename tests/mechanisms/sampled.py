@@ -16,8 +16,7 @@ from tests.mechanisms.brute_force import BruteForce, BruteMotion, changes, start
 from tests.mechanisms.dynamics import System
 from trimmer.mechanism import Cascade, Controller, Force, Mechanism, OutputKind, Pid, TransferController
 
-Given = Callable[[float], tuple[float, float]]
-"""Reference and its rate at a time, right limits."""
+Given = Callable[[float], tuple[float, float]]  # Reference and its rate at a time, right limits
 
 
 @dataclass

@@ -24,8 +24,7 @@ from report.folders import templates
 from scripts.kernels.processor import CHOOSING, processor_flags
 
 Made = TypeVar("Made")
-MOST_KEPT = 4
-"""States of the sources whose things are kept."""
+MOST_KEPT = 4  # States of the sources whose things are kept
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,7 @@ from trimmer.design.motions import motions_from_starts, with_neighbours
 from trimmer.mechanism import Body, Output, Pin, Play
 from trimmer.one_orbit import COARSE, ClosedCurve, are_one
 
-OMEGA = 7.5
-"""Here a motion with contact coexists with one without."""
+OMEGA = 7.5  # Here a motion with contact coexists with one without
 STARTS = {"mass.displacement": np.linspace(-20.0, 20.0, 3), "mass.velocity": np.linspace(-150.0, 150.0, 3)}
 
 

@@ -9,8 +9,7 @@ from report.pages.drawing.letters import panels_of
 from report.pages.drawing.style import style
 from tests.report.figures import conftest
 
-STEP = 2.0
-"""Distance of the points of a curve that are looked for under a text, in pixels."""
+STEP = 2.0  # Distance of the points of a curve that are looked for under a text, in pixels
 QUICK = ("fig-1.1", "fig-2.9", "fig-2.14", "fig-3.4", "fig-3.8", "fig-5.8", "fig-5.15", "twin-map-friction")
 MARGIN = np.array([1.0, 2.0])
 """What a curve may reach into the box of a text, across and up, in pixels; it is larger than the letters."""

@@ -16,10 +16,8 @@ from report.pages.drawing.letters import letter_panels, title_of
 from tests.report.figures.conftest import FIGURES
 
 KEPT = Path(__file__).with_suffix(".txt")
-NOTHING = 1e-6
-"""Share of the largest coordinate below which one is rounding."""
-CHAOTIC = "twin"
-"""Curves of motions of which one is chaotic: there rounding grows."""
+NOTHING = 1e-6  # Share of the largest coordinate below which one is rounding
+CHAOTIC = "twin"  # Curves of motions of which one is chaotic: there rounding grows
 
 
 def told(figure: Figure) -> Iterator[str]:

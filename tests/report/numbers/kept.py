@@ -25,12 +25,9 @@ LEFT_OUT = {
     "left_above",
 }
 """Fields that hold what is read from a file, and what rounding leaves."""
-CHAOTIC = "twin.experiment.twin"
-"""A motion in which rounding grows."""
-OMEGAS = (100.0, 1000.0, 5000.0)
-"""Where the response of a system is told, rad/s."""
-NOTHING = 1e-9
-"""Share of the largest below which a number of an array is rounding."""
+CHAOTIC = "twin.experiment.twin"  # A motion in which rounding grows
+OMEGAS = (100.0, 1000.0, 5000.0)  # Where the response of a system is told, rad/s
+NOTHING = 1e-9  # Share of the largest below which a number of an array is rounding
 
 
 def told(thing: Any, name: str) -> Iterator[str]:

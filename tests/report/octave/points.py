@@ -15,8 +15,7 @@ AMPLITUDE, FREQUENCY = 7e-5, 109.845
 # Five periods in steps that meet the instants of separation and come close to those of contact.
 TIMES = np.arange(0, 5 * 400) / (400 * FREQUENCY)
 OMEGAS = np.array([1.0, 628.0, 1397.0, 3453.0, 4608.5, 7160.0, 5e4])
-NUMERATOR = 1.5
-"""Of 1.5/(s (s + 1)^2), whose limit cycles lie near 1 rad/s, and which has a pole at zero."""
+NUMERATOR = 1.5  # Of 1.5/(s (s + 1)^2), whose limit cycles lie near 1 rad/s, and which has a pole at zero
 LOOP_GAIN = 3.0
 """Raises the trimmer's transfer function until friction-controlled backlash has four limit cycles."""
 WALK = 1e-5 * np.cumsum(np.random.default_rng(5).normal(size=300))

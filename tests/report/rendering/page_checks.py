@@ -22,24 +22,17 @@ from tests.conftest import find_chromium
 
 WIDTHS = (360, 768, 1440)
 HEIGHT = 900
-PATIENCE = 10_000
-"""How long to wait for something to happen in a page, in ms."""
+PATIENCE = 10_000  # How long to wait for something to happen in a page, in ms
 LOADING = 60_000
 """How long to wait for a page, in ms: the sample takes seconds, and many times that on a busy machine."""
-LARGEST = 8_000_000
-"""Largest size of the file, in bytes."""
-MOST_ERRATA_PAGES = 8
-"""Most printed pages of the errata sheet, which is to be laid into the thesis."""
-SMALLEST_PRINT = 12.0
-"""Smallest type of that sheet, in CSS pixels: 9 pt."""
-MOST_TAB_STOPS = 1000
-"""Most stops of the Tab key on a page whose cards are closed."""
-FIRST_PAINT = 500.0
-"""Latest time of the first paint, the best of three visits, in ms."""
+LARGEST = 8_000_000  # Largest size of the file, in bytes
+MOST_ERRATA_PAGES = 8  # Most printed pages of the errata sheet, which is to be laid into the thesis
+SMALLEST_PRINT = 12.0  # Smallest type of that sheet, in CSS pixels: 9 pt
+MOST_TAB_STOPS = 1000  # Most stops of the Tab key on a page whose cards are closed
+FIRST_PAINT = 500.0  # Latest time of the first paint, the best of three visits, in ms
 A4_WIDTH = 658
 """Width of the text of a printed A4 page, in CSS pixels: 210 mm less twice the margin of print.css."""
-EMPTY = "about:blank"
-"""Address of a page with nothing in it."""
+EMPTY = "about:blank"  # Address of a page with nothing in it
 Scheme = Literal["light", "dark"]
 SCHEMES: tuple[Scheme, ...] = ("light", "dark")
 

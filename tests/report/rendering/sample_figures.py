@@ -11,8 +11,7 @@ from report.pages.drawing.style import LINES, new_figure, style
 from report.pages.drawing.svg import to_svg
 from report.pages.figure import Figure
 
-PEAK = 550.0
-"""Frequency of the spectrum's peak, in Hz."""
+PEAK = 550.0  # Frequency of the spectrum's peak, in Hz
 
 
 @functools.cache

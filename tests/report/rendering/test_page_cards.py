@@ -17,8 +17,7 @@ STOPS = """
   (inside) => [...document.querySelectorAll('a[href], button, summary, input, select, [tabindex]')]
     .filter((e) => e.tabIndex >= 0 && e.checkVisibility() && e.matches(`${inside}, ${inside} *`)).length
 """
-MANY = 8
-"""Most links of a table each of which is a stop."""
+MANY = 8  # Most links of a table each of which is a stop
 STOPS_OF_TABLES = """
   [...document.querySelectorAll('.table-box')]
     .filter((box) => !box.closest('article.claim, .errata-sheet'))

@@ -15,8 +15,7 @@ from tests.trimmer.balance.wide_loops import WideLoop
 from trimmer import ClosedLoop, HarmonicBalance, LimitCycle, TrimmerError, harmonic_balance
 from trimmer.arrays import Reals
 
-SAME = 1e-4
-"""Difference in ln omega, and a tenth of that in ln A, within which two solutions are one."""
+SAME = 1e-4  # Difference in ln omega, and a tenth of that in ln A, within which two solutions are one
 RESIDUAL = 1e-5
 
 

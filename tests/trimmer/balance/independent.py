@@ -20,8 +20,7 @@ from trimmer.elements import Element, ScaledElement, SumOfElements
 PROPORTIONAL = {Kind.RELAY, Kind.FRICTION, Kind.RELAY_AND_FRICTION, Kind.DAMPED_FRICTION, Kind.PRELOAD}
 ALONG_AXIS = 6000
 OMEGAS, AMPLITUDES = 500, 120
-BEYOND = 1e5
-"""How far beyond the roots is looked where the amplitude is eliminated; a hundredth of it else."""
+BEYOND = 1e5  # How far beyond the roots is looked where the amplitude is eliminated; a hundredth of it else
 BESIDE = np.sinh(np.linspace(-6.0, 6.0, 49))
 
 

@@ -8,14 +8,10 @@ from typing import Any
 NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?", re.IGNORECASE)
 ROUNDING = 1e-7
 """Relative difference of two numbers that a processor's rounding can make, amplified by what is solved."""
-NOTHING = 1e-10
-"""What is below stands for zero: residuals, phases and multipliers that are rounding."""
-OF_LIST = 1e-12
-"""Share of the largest number of a list by which rounding moves its others, as in harmonics."""
-LONG = 5
-"""Digits from which the last one may be rounded either way."""
-MOST = 8
-"""Entries of a list that are shown."""
+NOTHING = 1e-10  # What is below stands for zero: residuals, phases and multipliers that are rounding
+OF_LIST = 1e-12  # Share of the largest number of a list by which rounding moves its others, as in harmonics
+LONG = 5  # Digits from which the last one may be rounded either way
+MOST = 8  # Entries of a list that are shown
 
 
 def alike(kept: str, found: str) -> bool:

@@ -13,8 +13,7 @@ from trimmer.command_line.help_text import WIDTH, epilog
 from trimmer.command_line.main import installed_commands, main
 
 COMMANDS = {command.name: command for command in installed_commands()}
-FIRST = ("parameters", "simulate")
-"""What these write, the examples of others read."""
+FIRST = ("parameters", "simulate")  # What these write, the examples of others read
 TAKES_LONG = (
     *(f"trimmer {name}" for name in ("compare", "derive", "design", "fit", "follow", "judge", "sample")),
     "trimmer identify --gap 4e-5 --frequency 740 --uncertainty",

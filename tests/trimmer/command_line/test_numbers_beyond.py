@@ -18,8 +18,7 @@ from trimmer.command_line.parser import WRONG_USE, as_option
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TWIN, SCATTER = str(EXAMPLES / "thesis-play.toml"), str(EXAMPLES / "scatter.toml")
 VALUES = ("0", "-1", "nan", "inf", "1e308", "1e-308", "5e-324")
-SLOWEST = 20.0
-"""Processor time, s, of the slowest answer; kernels may have to be compiled."""
+SLOWEST = 20.0  # Processor time, s, of the slowest answer; kernels may have to be compiled
 
 PLAY = "--element friction --gap 4e-5"
 DRIVEN = "simulate --drive 110 --amplitude 1e-3"

@@ -28,8 +28,7 @@ from tests.trimmer.command_line.inputs import write_inputs
 from trimmer.command_line.main import main
 
 FOLDER = Path(__file__).parent / "transcripts"
-BEGINNING = 6
-"""Lines that ``head`` shows."""
+BEGINNING = 6  # Lines that ``head`` shows
 
 
 @dataclass(frozen=True)

@@ -18,8 +18,7 @@ from trimmer import simulate
 from trimmer.contact.statuses import MINUS, PLUS, RESTS, STICK
 from trimmer.in_symbols.mechanism import symbolic_mechanism
 
-MOST = 16
-"""Modes of a machine that are looked at."""
+MOST = 16  # Modes of a machine that are looked at
 
 
 @pytest.mark.parametrize("seed", quick(range(300), 0))

@@ -36,8 +36,7 @@ path = { step = "10 mm", at = "20 ms" }
 """
 STEP, MASS, KP, KV = 0.01, 2.0, 4.0, 4.0
 TINY = DesignSettings(cells=3, trials=3, machines=2, range_points=3)
-HUNTING = 0.0025134134275286435
-"""Amplitude of the motor, rad: servo.json, hunting_one_mass_static_friction."""
+HUNTING = 0.0025134134275286435  # Amplitude of the motor, rad: servo.json, hunting_one_mass_static_friction
 
 
 def file(targets: str = "", *changes: tuple[str, str], text: str = AXIS) -> DesignFile:

@@ -20,8 +20,7 @@ seat = { between = ["ground", "blade"], gap = "1 mm", restitution = 0.5 }
 travel = { blade = 1 }
 """
 FORCE, MASS, GAP, RESTITUTION, BEGIN = 4.0, 0.02, 1e-3, 0.5, 2e-3
-SHOWN = 1.15
-"""Up to which multiple of the last time at which something happens the motion is shown."""
+SHOWN = 1.15  # Up to which multiple of the last time at which something happens the motion is shown
 TINY = DesignSettings(cells=3, trials=4, machines=2, range_points=3, grid=2)
 
 

@@ -35,10 +35,8 @@ from trimmer.uncertainty import Samples, SampleSettings
 from trimmer.uncertainty.sample_file import sample_file_of_text
 
 KEPT = Path(__file__).with_suffix(".txt")
-FEW = 8
-"""Points up to which each is told."""
-NOTHING = 1e-6
-"""Share of the largest coordinate below which a mean is rounding."""
+FEW = 8  # Points up to which each is told
+NOTHING = 1e-6  # Share of the largest coordinate below which a mean is rounding
 VISCOUS = trimmer.ViscousBacklash(4e-5, 1e-3)
 RELAY = trimmer.Relay(1.0)
 SAMPLED = """

@@ -13,8 +13,7 @@ from trimmer.drawing.mechanisms.response import response_figure
 from trimmer.drawing.mechanisms.scatter import sample_figure
 from trimmer.mechanism import Body, Force, Link, Mechanism, Output
 
-FOLD = 8.566394 / (2 * np.pi)
-"""Published of pyHarm's example, see ``machines.impact_oscillator``; Hz."""
+FOLD = 8.566394 / (2 * np.pi)  # Published of pyHarm's example, see ``machines.impact_oscillator``; Hz
 
 
 @pytest.fixture(scope="module")

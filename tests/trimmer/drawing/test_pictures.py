@@ -24,8 +24,7 @@ from trimmer.errors import WrongTypeError
 from trimmer.showing.drawn import Drawn
 
 LAID_OUT = ("HarmonicBalance", "Motion", "FollowedBranch", "MotionMap", "SpectrumAnalysis")
-ROUNDING = 3e-4
-"""What noise leaves of a fit, and the last of five digits."""
+ROUNDING = 3e-4  # What noise leaves of a fit, and the last of five digits
 
 
 @pytest.fixture(autouse=True)

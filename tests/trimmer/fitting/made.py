@@ -6,8 +6,7 @@ from trimmer import Mechanism, Signal, respond
 from trimmer.motion.signals import along, rate
 
 RATE = 10_000.0
-BEGIN = 0.00123
-"""Time in the drive's period at which records begin, s."""
+BEGIN = 0.00123  # Time in the drive's period at which records begin, s
 UNITS = ("m", "m/s", "m/s²")
 
 

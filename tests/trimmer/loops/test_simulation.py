@@ -21,10 +21,8 @@ TABLE = Path(__file__).with_name("reference") / "exact_times.csv"
 Programs that knew nothing of the engine computed them; they are in the repository's history, in the folder of
 the table, up to the commit that removed ``exact_flight.py`` there.
 """
-COUNT = 50
-"""Instants in the table, for each motion."""
-IMPULSE = 1e-6
-"""Impulse at the displacement of the pin, m s, where nothing drives."""
+COUNT = 50  # Instants in the table, for each motion
+IMPULSE = 1e-6  # Impulse at the displacement of the pin, m s, where nothing drives
 PIN = Drive(1.5e-3, 2 * math.pi * 110)
 BOTH, ONE = InputChannels.DISPLACEMENT_AND_VELOCITY, InputChannels.DISPLACEMENT_ONLY
 

@@ -126,8 +126,7 @@ def test_curves_are_drawn_by_name_and_told_by_kind() -> None:
     assert "0 curves" in repr(SpecialCurves((), "here"))
 
 
-AT = 3.5, 1.5e-5
-"""The middle of a piece of ``BOTH``, where its states are 1.5 and 15."""
+AT = 3.5, 1.5e-5  # The middle of a piece of ``BOTH``, where its states are 1.5 and 15
 
 
 @pytest.mark.parametrize(

@@ -7,12 +7,10 @@ from tests.trimmer.orbits.peer_time_stepping import PeerLoop, final_amplitude
 from tests.trimmer.orbits.random_loops import RandomLoop
 
 STARTS = 8
-DURATION = 300.0
-"""In units of the time constants, which are about one."""
+DURATION = 300.0  # In units of the time constants, which are about one
 STEP = 1e-3
 FINER = 8
-ALIKE = 1e-2
-"""Difference of two amplitudes, relative, below which they are the same."""
+ALIKE = 1e-2  # Difference of two amplitudes, relative, below which they are the same
 
 
 @dataclass(frozen=True)

@@ -19,8 +19,7 @@ from trimmer.elements import Element, FrictionBacklash, InertiaBacklash, Relay, 
 GROWN = 1e9
 STEADY = 2e-4
 """Change of the extremes over the last half of the time, over the swing, below which a motion is periodic."""
-SMALLEST = 0.1
-"""Of the gap."""
+SMALLEST = 0.1  # Of the gap
 
 
 @dataclass(frozen=True)

@@ -12,8 +12,7 @@ from trimmer.elements import Element
 from trimmer.loops import Outcome
 
 STARTS = 20
-DURATION = 300.0
-"""In units of the time constants, which are about one."""
+DURATION = 300.0  # In units of the time constants, which are about one
 
 
 @dataclass(frozen=True)

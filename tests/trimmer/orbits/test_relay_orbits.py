@@ -11,8 +11,7 @@ from trimmer.elements import CoulombFriction, DeadZone, Element, FrictionBacklas
 
 NEVER = OrbitSearch("never")
 GAIN, RATE, LEVEL, THRESHOLD = 4.0, 0.7, 1.5, 0.9
-LAG = control.ss([[-RATE]], [[GAIN]], [[0.5]], [[0.0]])
-"""x' = -0.7 x + 4 u, of which half is the output."""
+LAG = control.ss([[-RATE]], [[GAIN]], [[0.5]], [[0.0]])  # x' = -0.7 x + 4 u, of which half is the output
 REST, AT_SWITCH = GAIN * LEVEL / RATE, THRESHOLD / 0.5
 HALF = math.log((REST + AT_SWITCH) / (REST - AT_SWITCH)) / RATE
 

@@ -28,8 +28,7 @@ pytest.importorskip("flint")
 TURN = 2.0 * math.pi
 EXAMPLES = Path(__file__).parents[3] / "examples"
 MACHINE = Mechanism.from_toml(EXAMPLES / "oscillator-stop.toml")
-DOUBLING = 5.5567187941
-"""rad/s, of the example of pyHarm in tests/trimmer/branches/published.py."""
+DOUBLING = 5.5567187941  # rad/s, of the example of pyHarm in tests/trimmer/branches/published.py
 ALONE = FollowSettings(switches=0, quiet=True, largest_step=0.05)
 PLANT = control.tf([8.0], [1.0, 3.0, 3.0, 1.0])
 

@@ -10,8 +10,7 @@ from tests.quick import quick
 from tests.trimmer.branches.bouncing_ball import ball, thrown
 from trimmer import ContactLaw, forced_orbit
 
-BESIDE = (0.0, 1e-14, -1e-14, 1e-9, -1e-9, 1e-5, -1e-5)
-"""Times from an event to t = 0, s."""
+BESIDE = (0.0, 1e-14, -1e-14, 1e-9, -1e-9, 1e-5, -1e-5)  # Times from an event to t = 0, s
 
 
 @pytest.mark.parametrize("law", [ContactLaw.PULLING, ContactLaw.RELAXING])

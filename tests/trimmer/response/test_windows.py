@@ -11,8 +11,7 @@ from trimmer import Body, Force, Link, Mechanism, MotionKind, Output, Response, 
 from trimmer.response.response_json import response_json
 from trimmer.response.window import joined, watch
 
-SAMPLES = 400
-"""In each drive period."""
+SAMPLES = 400  # In each drive period
 
 
 @pytest.fixture(scope="module")

@@ -44,8 +44,7 @@ def test_values_are_written_for_readers(value: object, text: str) -> None:
     assert html.as_text(value) == text
 
 
-shown = HTMLFormatter()
-"""How a notebook shows a result."""
+shown = HTMLFormatter()  # How a notebook shows a result
 
 
 def made_table(rows: int) -> Table:

@@ -8,12 +8,9 @@ from tests.trimmer.spectra.test_peaks import SAMPLES, sines
 from trimmer import peaks
 from trimmer.spectra import Window, amplitude_spectrum
 
-LEVELS = (20, 40, 60, 80)
-"""How far the small line is below the large one, dB."""
-NEAREST, FARTHEST = 4.0, 30.0
-"""Distance of the two, bins."""
-NOISE = 0.1
-"""Standard deviation of white noise over the small amplitude."""
+LEVELS = (20, 40, 60, 80)  # How far the small line is below the large one, dB
+NEAREST, FARTHEST = 4.0, 30.0  # Distance of the two, bins
+NOISE = 0.1  # Standard deviation of white noise over the small amplitude
 
 
 def errors(level: int, seed: int, noise: float = NOISE) -> tuple[np.ndarray, np.ndarray, int]:

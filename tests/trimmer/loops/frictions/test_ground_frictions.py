@@ -9,8 +9,7 @@ from trimmer.elements import CoulombFriction
 from trimmer.loops import BodyFriction, Drive, Outcome, TrimmerLoop, energy_balance
 
 THESIS = TrimmerParameters.thesis()
-FORCES = ((-2, 2), (-1, 1), (-3, 0.5))
-"""Decades of the forces, N."""
+FORCES = ((-2, 2), (-1, 1), (-3, 0.5))  # Decades of the forces, N
 
 
 def check(seed: int, duration: float) -> None:
