@@ -25,24 +25,15 @@ PROJECT = Path(__file__).resolve().parent.parent
 
 @dataclass(frozen=True)
 class Measurement:
-    """A command to measure beside a peer.
+    """A command to measure beside a peer."""
 
-    Attributes:
-        name: What is measured.
-        command: Command that is measured.
-        peer_name: What it is compared with.
-        peer: Command of the peer.
-        target: Upper limit for the command, s.
-        runs: How often both run.
-        prepare: Called before each run of the command, outside the measured time.
-    """
-
-    name: str
-    command: Sequence[str]
-    peer_name: str
-    peer: Sequence[str]
-    target: float
-    runs: int
+    name: str  # What is measured
+    command: Sequence[str]  # Command that is measured
+    peer_name: str  # What it is compared with
+    peer: Sequence[str]  # Command of the peer
+    target: float  # Upper limit for the command, s
+    runs: int  # How often both run
+    # Called before each run of the command, outside the measured time
     prepare: Callable[[], None] = lambda: None
 
 

@@ -23,22 +23,14 @@ class ProblemError(ValueError):
 
 @dataclass(frozen=True)
 class Digit:
-    """A number that a problem asks for.
+    """A number that a problem asks for."""
 
-    Attributes:
-        name: What it is; unique in the problem.
-        value: In the unit.
-        unit: SI, or empty for a pure number.
-        agreement: Relative difference within which all ways agree.
-        ways: How it was found, two independent ways at least, in words.
-        ours: Keys that lead to it in what the package tells; empty if the problem's Python makes it.
-    """
-
-    name: str
-    value: float
-    unit: str
-    agreement: float
-    ways: tuple[str, ...]
+    name: str  # What it is; unique in the problem
+    value: float  # In the unit
+    unit: str  # SI, or empty for a pure number
+    agreement: float  # Relative difference within which all ways agree
+    ways: tuple[str, ...]  # How it was found, two independent ways at least, in words
+    # Keys that lead to it in what the package tells; empty if the problem's Python makes it
     ours: tuple[str | int, ...]
 
     @property

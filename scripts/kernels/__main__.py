@@ -41,21 +41,13 @@ MOST_SHOWN = 40
 
 @dataclass(frozen=True)
 class Run:
-    """The tests once, in a given way.
+    """The tests once, in a given way."""
 
-    Attributes:
-        name: What it is called, also its folder.
-        kernel: Of OpenBLAS; None where it cannot be chosen.
-        threads: Of BLAS.
-        generic: Whether Numba compiles for any processor.
-        version: Of Python; None for that of this process.
-    """
-
-    name: str
-    kernel: Kernel | None
-    threads: int
-    generic: bool = False
-    version: str | None = None
+    name: str  # What it is called, also its folder
+    kernel: Kernel | None  # Of OpenBLAS; None where it cannot be chosen
+    threads: int  # Of BLAS
+    generic: bool = False  # Whether Numba compiles for any processor
+    version: str | None = None  # Of Python; None for that of this process
 
     def __str__(self) -> str:
         """Return its line of the list."""

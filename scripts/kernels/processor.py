@@ -13,21 +13,13 @@ CHOOSING = ("OPENBLAS_", "OMP_", "MKL_", "NUMBA_", "NPY_", "GLIBC_TUNABLES")
 
 @dataclass(frozen=True)
 class Kernel:
-    """A generation of processors.
+    """A generation of processors."""
 
-    Attributes:
-        name: As ``OPENBLAS_CORETYPE`` takes it.
-        called: As OpenBLAS calls it when asked what it runs.
-        needs: Flags of /proc/cpuinfo that its instructions need.
-        numpy_without: Pattern of the features of NumPy that such a processor lacks.
-        libc_without: Features that the C library is not to use.
-    """
-
-    name: str
-    called: str
-    needs: frozenset[str]
-    numpy_without: str
-    libc_without: tuple[str, ...]
+    name: str  # As ``OPENBLAS_CORETYPE`` takes it
+    called: str  # As OpenBLAS calls it when asked what it runs
+    needs: frozenset[str]  # Flags of /proc/cpuinfo that its instructions need
+    numpy_without: str  # Pattern of the features of NumPy that such a processor lacks
+    libc_without: tuple[str, ...]  # Features that the C library is not to use
 
     def missing(self, flags: frozenset[str]) -> list[str]:
         """Return the flags that a processor lacks for it."""

@@ -56,18 +56,12 @@ class Ended:
 
 @dataclass(frozen=True)
 class Place:
-    """Where a process works.
+    """Where a process works."""
 
-    Attributes:
-        root: Folder of the project's copy.
-        numba: Folder of Numba's machine code.
-        printed: File that gets what the process prints.
-        loaded: Whether it is the copy whose project and tests the server has loaded, and they are to be used.
-    """
-
-    root: Path
-    numba: Path
-    printed: Path
+    root: Path  # Folder of the project's copy
+    numba: Path  # Folder of Numba's machine code
+    printed: Path  # File that gets what the process prints
+    # Whether it is the copy whose project and tests the server has loaded, and they are to be used
     loaded: bool = False
 
 

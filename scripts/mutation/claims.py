@@ -32,38 +32,25 @@ DEAR = ("motion", "orbits", "twin")
 
 @dataclass(frozen=True)
 class Judged:
-    """A group of claims, or another thing that is checked.
+    """A group of claims, or another thing that is checked."""
 
-    Attributes:
-        name: Of the module of the claims, or of the function.
-        verdicts: By claim, the verdicts of its parts; empty for what only passes or stops.
-        texts: By claim, a digest of what is shown: derived numbers and formulas, explanation.
-        needs: Parts of the evidence that it asked for.
-        seconds: Processor time, s.
-        stopped: The error that stopped it, empty if none did.
-    """
-
-    name: str
+    name: str  # Of the module of the claims, or of the function
+    # By claim, the verdicts of its parts; empty for what only passes or stops
     verdicts: Mapping[str, str] = field(default_factory=dict)
+    # By claim, a digest of what is shown: derived numbers and formulas, explanation
     texts: Mapping[str, str] = field(default_factory=dict)
-    needs: tuple[str, ...] = ()
-    seconds: float = 0.0
-    stopped: str = ""
+    needs: tuple[str, ...] = ()  # Parts of the evidence that it asked for
+    seconds: float = 0.0  # Processor time, s
+    stopped: str = ""  # The error that stopped it, empty if none did
 
 
 @dataclass(frozen=True)
 class Difference:
-    """The first difference from the unaltered project.
+    """The first difference from the unaltered project."""
 
-    Attributes:
-        check: A verdict that differs or a check that stopped, in words; empty if there is none.
-        text: The first claim that shows something else with the same verdict, empty if there is none.
-        judged: How many groups were judged.
-    """
-
-    check: str
-    text: str
-    judged: int
+    check: str  # A verdict that differs or a check that stopped, in words; empty if there is none
+    text: str  # The first claim that shows something else with the same verdict, empty if there is none
+    judged: int  # How many groups were judged
 
 
 def judge_all() -> list[Judged]:

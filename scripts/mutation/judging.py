@@ -27,23 +27,14 @@ class _NotLoadedError(Exception):
 
 @dataclass(frozen=True)
 class Judge:
-    """Judges mutants in one copy of the project.
+    """Judges mutants in one copy of the project."""
 
-    Attributes:
-        tree: The copy.
-        loaded: The copy that is loaded already, in which nothing is changed but what is loaded.
-        lines: Which test file runs which line.
-        known: What claims the unaltered project gives.
-        both: Whether tests and claims are asked even if the first of them has noticed a mutant.
-        every: Whether all tests are asked even if one has noticed it.
-    """
-
-    tree: Tree
-    loaded: Tree
-    lines: LineMap
-    known: Sequence[Judged]
-    both: bool = False
-    every: bool = False
+    tree: Tree  # The copy
+    loaded: Tree  # The copy that is loaded already, in which nothing is changed but what is loaded
+    lines: LineMap  # Which test file runs which line
+    known: Sequence[Judged]  # What claims the unaltered project gives
+    both: bool = False  # Whether tests and claims are asked even if the first of them has noticed a mutant
+    every: bool = False  # Whether all tests are asked even if one has noticed it
 
     def outcome(self, mutant: Mutant) -> Outcome:
         """Change a function that is loaded, or else the source; ask tests and claims; change it back."""

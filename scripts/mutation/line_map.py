@@ -19,25 +19,17 @@ LIMIT = 900.0
 
 @dataclass(frozen=True)
 class TestFile:
-    """A test file and what it runs.
-
-    Attributes:
-        path: From the project's folder.
-        seconds: Processor time that it took, s, while it was recorded.
-        failed: The first test that failed in the unaltered copy; such a file is not used.
-        lines: Numbers of the lines that it ran, by source, those of its imports with them.
-        entries: Modules whose compiled code it entered.
-        digests: Of each source that it ran, and of itself.
-    """
+    """A test file and what it runs."""
 
     __test__ = False
 
-    path: str
-    seconds: float
-    failed: str
+    path: str  # From the project's folder
+    seconds: float  # Processor time that it took, s, while it was recorded
+    failed: str  # The first test that failed in the unaltered copy; such a file is not used
+    # Numbers of the lines that it ran, by source, those of its imports with them
     lines: Mapping[str, frozenset[int]]
-    entries: frozenset[str]
-    digests: Mapping[str, str]
+    entries: frozenset[str]  # Modules whose compiled code it entered
+    digests: Mapping[str, str]  # Of each source that it ran, and of itself
 
     def is_current(self, root: Path) -> bool:
         """Say whether nothing that it ran has changed."""

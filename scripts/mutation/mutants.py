@@ -18,31 +18,18 @@ HEADED = (ast.If, ast.While, ast.For, ast.With, ast.FunctionDef, ast.ClassDef, a
 
 @dataclass(frozen=True)
 class Mutant:
-    """One change of one place.
+    """One change of one place."""
 
-    Attributes:
-        path: Of the source from the project's folder, with slashes.
-        function: Qualified name of the function or class that the place is in, empty at a module's level.
-        kind: What is changed.
-        before: The source of the place.
-        after: What stands there instead.
-        line: First line of the place, from 1.
-        context: That line.
-        lines: First and last line of the statement, or of its head.
-        span: First and last character of the place in the source, as UTF-8.
-        source: Digest of the source.
-    """
-
-    path: str
-    function: str
-    kind: Kind
-    before: str
-    after: str
-    line: int
-    context: str
-    lines: tuple[int, int]
-    span: tuple[int, int]
-    source: str
+    path: str  # Of the source from the project's folder, with slashes
+    function: str  # Qualified name of the function or class that the place is in, empty at a module's level
+    kind: Kind  # What is changed
+    before: str  # The source of the place
+    after: str  # What stands there instead
+    line: int  # First line of the place, from 1
+    context: str  # That line
+    lines: tuple[int, int]  # First and last line of the statement, or of its head
+    span: tuple[int, int]  # First and last character of the place in the source, as UTF-8
+    source: str  # Digest of the source
 
     @cached_property
     def key(self) -> str:

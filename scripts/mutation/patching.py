@@ -14,19 +14,12 @@ from scripts.mutation.mutants import Mutant
 
 @dataclass(frozen=True)
 class Patch:
-    """The changed code of a function that stands in a module or class.
+    """The changed code of a function that stands in a module or class."""
 
-    Attributes:
-        path: Of its source from the project's folder.
-        name: Of the function.
-        line: First line of the function, from 1, that of its first decorator if it has one.
-        source: The whole changed source.
-    """
-
-    path: str
-    name: str
-    line: int
-    source: str
+    path: str  # Of its source from the project's folder
+    name: str  # Of the function
+    line: int  # First line of the function, from 1, that of its first decorator if it has one
+    source: str  # The whole changed source
 
     def apply(self, root: Path) -> bool:
         """Give all functions that were made of this one the changed code; False if none can have it."""

@@ -20,15 +20,10 @@ PACKAGES = ("derivations", "trimmer", "report", "tests", "scripts")
 
 @dataclass(frozen=True)
 class Tree:
-    """A copy of the working tree.
+    """A copy of the working tree."""
 
-    Attributes:
-        root: Its folder.
-        numba: Folder of the machine code that Numba has made from the unaltered sources.
-    """
-
-    root: Path
-    numba: Path
+    root: Path  # Its folder
+    numba: Path  # Folder of the machine code that Numba has made from the unaltered sources
 
     @contextmanager
     def changed(self, mutant: Mutant, compiled: bool) -> Iterator[Path]:

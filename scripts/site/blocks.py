@@ -22,23 +22,14 @@ _OUTPUT = "text"
 
 @dataclass(frozen=True)
 class Block:
-    """A block of a page.
+    """A block of a page."""
 
-    Attributes:
-        language: The word behind the fence.
-        content: Its lines.
-        line: Number of its first line in the page.
-        title: Name of the file that it is, if it has one.
-        comment: What stands in the comment before it.
-        output: What it should print, None if the page does not say.
-    """
-
-    language: str
-    content: str
-    line: int
-    title: str | None
-    comment: str
-    output: str | None = None
+    language: str  # The word behind the fence
+    content: str  # Its lines
+    line: int  # Number of its first line in the page
+    title: str | None  # Name of the file that it is, if it has one
+    comment: str  # What stands in the comment before it
+    output: str | None = None  # What it should print, None if the page does not say
 
     @property
     def is_run(self) -> bool:

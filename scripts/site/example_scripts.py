@@ -23,21 +23,13 @@ class ScriptError(AssertionError):
 
 @dataclass(frozen=True)
 class ExampleScript:
-    """A script.
+    """A script."""
 
-    Attributes:
-        path: Where it is.
-        title: First line of its docstring.
-        caption: What its picture shows.
-        printed: What it prints.
-        code: Its code below the docstring.
-    """
-
-    path: Path
-    title: str
-    caption: str
-    printed: str
-    code: str
+    path: Path  # Where it is
+    title: str  # First line of its docstring
+    caption: str  # What its picture shows
+    printed: str  # What it prints
+    code: str  # Its code below the docstring
 
     @property
     def name(self) -> str:

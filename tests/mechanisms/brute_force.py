@@ -54,19 +54,14 @@ class Piece:
 
 @dataclass
 class BruteMotion:
-    """A motion.
+    """A motion."""
 
-    Attributes:
-        system: What moved.
-        events: In order of time.
-        final: State at the end: displacements, velocities, z.
-        ambiguous: Times at which the definition leaves open what happens.
-    """
-
-    system: System
+    system: System  # What moved
     pieces: list[Piece] = field(default_factory=list)
-    events: list[Event] = field(default_factory=list)
+    events: list[Event] = field(default_factory=list)  # In order of time
+    # State at the end: displacements, velocities, z
     final: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    # Times at which the definition leaves open what happens
     ambiguous: list[float] = field(default_factory=list)
 
     def states(self, times: np.ndarray) -> np.ndarray:
@@ -100,12 +95,9 @@ class BruteMotion:
 
 @dataclass(frozen=True)
 class BruteForce:
-    """The integrator.
+    """The integrator."""
 
-    Attributes:
-        tolerance: Relative tolerance of DOP853; that of displacements is also absolute, for their usual size.
-    """
-
+    # Relative tolerance of DOP853; that of displacements is also absolute, for their usual size
     tolerance: float = 1e-12
 
     def from_rest(self, mechanism: Mechanism, duration: float) -> BruteMotion:

@@ -13,19 +13,12 @@ LOOSE, TIGHT = 3e-11, 3e-13
 
 @dataclass(frozen=True)
 class Difference:
-    """Where two lists of events part.
+    """Where two lists of events part."""
 
-    Attributes:
-        time: When they do; infinite if they never do.
-        first: What the one has from there on, a few events.
-        second: The same for the other.
-        error: Largest difference of the times of events before that.
-    """
-
-    time: float
-    first: tuple[Event, ...]
-    second: tuple[Event, ...]
-    error: float
+    time: float  # When they do; infinite if they never do
+    first: tuple[Event, ...]  # What the one has from there on, a few events
+    second: tuple[Event, ...]  # The same for the other
+    error: float  # Largest difference of the times of events before that
 
 
 def difference(first: Sequence[Event], second: Sequence[Event], apart: float) -> Difference:
@@ -53,17 +46,11 @@ def difference(first: Sequence[Event], second: Sequence[Event], apart: float) ->
 
 @dataclass(frozen=True)
 class Trusted:
-    """A motion by brute force at the tight tolerance.
+    """A motion by brute force at the tight tolerance."""
 
-    Attributes:
-        motion: It.
-        horizon: Up to here the loose tolerance gives the same events and states.
-        error: Largest relative difference of the two until there.
-    """
-
-    motion: BruteMotion
-    horizon: float
-    error: float
+    motion: BruteMotion  # It
+    horizon: float  # Up to here the loose tolerance gives the same events and states
+    error: float  # Largest relative difference of the two until there
 
 
 def trusted(mechanism: Mechanism, duration: float, enough: float = 1e-8) -> Trusted:

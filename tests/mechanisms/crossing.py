@@ -13,19 +13,12 @@ EARLY = 24
 
 @dataclass(frozen=True)
 class Step:
-    """One step of the integrator.
+    """One step of the integrator."""
 
-    Attributes:
-        begin: Its first time.
-        end: Its last time.
-        interpolated: y at times, as columns, by dense output.
-        exactly: y at one time by a step of its own from the begin.
-    """
-
-    begin: float
-    end: float
-    interpolated: Callable[[np.ndarray], np.ndarray]
-    exactly: Callable[[float], np.ndarray]
+    begin: float  # Its first time
+    end: float  # Its last time
+    interpolated: Callable[[np.ndarray], np.ndarray]  # y at times, as columns, by dense output
+    exactly: Callable[[float], np.ndarray]  # y at one time by a step of its own from the begin
 
 
 @dataclass(frozen=True)

@@ -32,16 +32,11 @@ class Decided:
 
 @dataclass(frozen=True)
 class Judge:
-    """Decides for one system.
-
-    Attributes:
-        near: What counts as zero, relative to the terms that cancel.
-        derivative_near: The same for derivatives and forces.
-    """
+    """Decides for one system."""
 
     system: System
-    near: float = 1e-11
-    derivative_near: float = 1e-9
+    near: float = 1e-11  # What counts as zero, relative to the terms that cancel
+    derivative_near: float = 1e-9  # The same for derivatives and forces
 
     def size(self, rows: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Size of the terms of one row or of several."""

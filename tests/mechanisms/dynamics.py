@@ -27,21 +27,13 @@ class Mode(NamedTuple):
 
 @dataclass(frozen=True)
 class Dynamics:
-    """y' = rates @ y in one mode.
+    """y' = rates @ y in one mode."""
 
-    Attributes:
-        rates: D, for all of y.
-        guards: What is not negative as long as the mode lasts, one row each.
-        friction_forces: Rows of the force on ``end`` of each friction.
-        sticking: The frictions that stick, None without any.
-        sticking_places: Their numbers.
-    """
-
-    rates: np.ndarray
-    guards: np.ndarray
-    friction_forces: np.ndarray
-    sticking: Sticking | None
-    sticking_places: list[int]
+    rates: np.ndarray  # D, for all of y
+    guards: np.ndarray  # What is not negative as long as the mode lasts, one row each
+    friction_forces: np.ndarray  # Rows of the force on ``end`` of each friction
+    sticking: Sticking | None  # The frictions that stick, None without any
+    sticking_places: list[int]  # Their numbers
 
 
 def matrices_of(structure: Structure) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -11,23 +11,14 @@ from tests.mechanisms.waves import constant
 
 @dataclass(frozen=True)
 class Energy:
-    """Energies of a whole motion, J.
+    """Energies of a whole motion, J."""
 
-    Attributes:
-        change: Of kinetic energy and of what springs of links and contacts hold.
-        supplied: By forces and by what moves the pins.
-        links: Lost in dampers of links, by name.
-        contacts: Lost in plays and stops, by name.
-        frictions: Lost in frictions, by name.
-        structures: Lost in all structures.
-    """
-
-    change: float
-    supplied: float
-    links: dict[str, float]
-    contacts: dict[str, float]
-    frictions: dict[str, float]
-    structures: float
+    change: float  # Of kinetic energy and of what springs of links and contacts hold
+    supplied: float  # By forces and by what moves the pins
+    links: dict[str, float]  # Lost in dampers of links, by name
+    contacts: dict[str, float]  # Lost in plays and stops, by name
+    frictions: dict[str, float]  # Lost in frictions, by name
+    structures: float  # Lost in all structures
 
     @property
     def unbalance(self) -> float:

@@ -20,19 +20,12 @@ LAWS = tuple(ContactLaw)
 
 @dataclass
 class Workshop:
-    """Draws the parts of one mechanism.
+    """Draws the parts of one mechanism."""
 
-    Attributes:
-        random: The source of all draws.
-        length: m.
-        mass: kg.
-        frequency: Hz.
-    """
-
-    random: np.random.Generator
-    length: float
-    mass: float
-    frequency: float
+    random: np.random.Generator  # The source of all draws
+    length: float  # m
+    mass: float  # kg
+    frequency: float  # Hz
     bodies: dict[str, Body] = field(default_factory=dict)
     pins: dict[str, Pin] = field(default_factory=dict)
     links: dict[str, Link] = field(default_factory=dict)

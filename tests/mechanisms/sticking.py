@@ -18,19 +18,12 @@ RANK = 1e-9
 
 @dataclass(frozen=True)
 class Sticking:
-    """Frictions that stick together.
+    """Frictions that stick together."""
 
-    Attributes:
-        directions: J, one row per friction.
-        null: Null space of J^T, one column per dimension.
-        forces: Rows of one split of the forces.
-        mismatch: Rows that are zero if all can stick at once.
-    """
-
-    directions: np.ndarray
-    null: np.ndarray
-    forces: np.ndarray
-    mismatch: np.ndarray
+    directions: np.ndarray  # J, one row per friction
+    null: np.ndarray  # Null space of J^T, one column per dimension
+    forces: np.ndarray  # Rows of one split of the forces
+    mismatch: np.ndarray  # Rows that are zero if all can stick at once
 
     def excesses(self) -> np.ndarray:
         """The vectors w, one per row."""

@@ -29,14 +29,10 @@ MOST_KEPT = 4  # States of the sources whose things are kept
 
 @dataclass(frozen=True)
 class MadeOnce:
-    """A folder that the processes of one run share; a run without workers shares nothing.
+    """A folder that the processes of one run share; a run without workers shares nothing."""
 
-    Attributes:
-        folder: Where things are kept for the other processes, None if there are none.
-        lasting: Where things are kept for later runs too, until a source, a library or the processor changes.
-    """
-
-    folder: Path | None
+    folder: Path | None  # Where things are kept for the other processes, None if there are none
+    # Where things are kept for later runs too, until a source, a library or the processor changes
     lasting: Path | None
 
     @classmethod

@@ -33,23 +33,14 @@ BEGINNING = 6  # Lines that ``head`` shows
 
 @dataclass(frozen=True)
 class Call:
-    """A call and its answer.
+    """A call and its answer."""
 
-    Attributes:
-        said: Comment lines before it.
-        line: The words as they are typed.
-        out: What is printed on standard output.
-        err: What is printed on standard error.
-        code: The exit code.
-        printed: What is printed on standard output as it is, and not in the form that is kept.
-    """
-
-    said: tuple[str, ...]
-    line: str
-    out: str = ""
-    err: str = ""
-    code: int = 0
-    printed: str = ""
+    said: tuple[str, ...]  # Comment lines before it
+    line: str  # The words as they are typed
+    out: str = ""  # What is printed on standard output
+    err: str = ""  # What is printed on standard error
+    code: int = 0  # The exit code
+    printed: str = ""  # What is printed on standard output as it is, and not in the form that is kept
 
     def __str__(self) -> str:
         lines = [*(f"# {each}" for each in self.said), f"$ {self.line}"]
