@@ -6,8 +6,6 @@ of the smooth part of the mechanism alone, without contact and friction, which i
 costs there; shooting for an orbit takes one passage for each state and one more, several times.
 """
 
-from __future__ import annotations
-
 import statistics
 import time
 from argparse import ArgumentParser

@@ -5,8 +5,6 @@ holds where the loop takes ``REFERENCE``; elsewhere it is to be scaled. Run it w
 `python benchmarks/calibration.py`.
 """
 
-from __future__ import annotations
-
 import sys
 import time
 from argparse import ArgumentParser

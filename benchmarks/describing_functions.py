@@ -4,8 +4,6 @@ Both find contact angles of viscous-controlled backlash, for gamma between 0.01 
 one run and taking turns; the angles are compared first.
 """
 
-from __future__ import annotations
-
 import statistics
 import time
 from argparse import ArgumentParser

@@ -5,8 +5,6 @@ with DOP853 at 1e-8, contacts and stick by terminal events. Absolute targets hol
 takes what is its reference.
 """
 
-from __future__ import annotations
-
 import argparse
 import time
 from collections import Counter

@@ -5,8 +5,6 @@ memory counts, with all of Python and what is imported. Twice the bodies are to 
 much an event, and the targets stand beside the memory.
 """
 
-from __future__ import annotations
-
 import resource
 import subprocess
 import sys

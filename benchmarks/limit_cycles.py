@@ -6,8 +6,6 @@ printed too). Errors are relative, in amplitude, against a root found with 40 di
 forces.
 """
 
-from __future__ import annotations
-
 import statistics
 import sys
 import time

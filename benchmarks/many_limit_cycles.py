@@ -4,8 +4,6 @@ Run it with `python -m benchmarks.many_limit_cycles`. Parameters vary by 10 % an
 take turns in one process; times are processor time of one core.
 """
 
-from __future__ import annotations
-
 import time
 import warnings
 from argparse import ArgumentParser

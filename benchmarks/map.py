@@ -7,8 +7,6 @@ drive periods with DOP853 at 1e-10, contact by terminal events and friction smoo
 the drive periods of the map; it tells no kind and measures nothing.
 """
 
-from __future__ import annotations
-
 import argparse
 import resource
 import time

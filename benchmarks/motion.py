@@ -5,8 +5,6 @@ since a busy computer can only add time; before that, fresh processes show what 
 without compiled code in the cache.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

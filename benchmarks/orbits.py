@@ -6,8 +6,6 @@ given the same first guess, and its frequency after a number of periods is compa
 turn ours runs several times, as the first call after the peer finds cold caches; its time is printed too.
 """
 
-from __future__ import annotations
-
 import statistics
 import time
 from argparse import ArgumentParser

@@ -4,8 +4,6 @@ Run it with `python -m benchmarks.respond`. The peer of an event is `scipy.integ
 1e-10) on the smooth pieces of the same motion, stopped by terminal events.
 """
 
-from __future__ import annotations
-
 import time
 from argparse import ArgumentParser
 from collections.abc import Callable

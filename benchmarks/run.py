@@ -4,8 +4,6 @@ Each row of the table is the median of some runs of a command, the median of its
 the target. Commands and peers take turns, so that a busy computer slows both.
 """
 
-from __future__ import annotations
-
 import shutil
 import statistics
 import subprocess

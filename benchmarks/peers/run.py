@@ -3,8 +3,6 @@
 What pip installs goes into an environment of its own, build/peers; Debian's packages are used where they are.
 """
 
-from __future__ import annotations
-
 import json
 import math
 import os

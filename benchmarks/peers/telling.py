@@ -1,7 +1,5 @@
 """What each peer's script prints: a JSON object a line, with the shortest time of some runs."""
 
-from __future__ import annotations
-
 import json
 import time
 from collections.abc import Callable

@@ -4,8 +4,6 @@ The stop is smoothed, as AUTO follows smooth systems. The drive is an oscillator
 demo ``frc`` of AUTO. The start is the motion without the stop.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 from functools import partial

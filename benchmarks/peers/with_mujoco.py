@@ -1,7 +1,5 @@
 """MuJoCo: a soft wall as a limit of a joint with stiffness and damping; dry friction of a joint."""
 
-from __future__ import annotations
-
 import math
 
 import mujoco

@@ -1,7 +1,5 @@
 """pyHarm: harmonic balance of the oscillator with a stop over omega, its own published example."""
 
-from __future__ import annotations
-
 import contextlib
 import io
 import logging

@@ -1,7 +1,5 @@
 """python-control's describing functions: harmonic balance of the relay loop."""
 
-from __future__ import annotations
-
 import math
 
 import control

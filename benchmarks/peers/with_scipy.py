@@ -1,7 +1,5 @@
 """SciPy's solve_ivp with events, hand-written laws: the programs of ``benchmarks/problems/second_ways``."""
 
-from __future__ import annotations
-
 import scipy
 
 from benchmarks.peers.telling import tell

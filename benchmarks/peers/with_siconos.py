@@ -1,7 +1,5 @@
 """Siconos: a ball that falls on a floor, time stepping after Moreau and Jean, Newton's law of impact."""
 
-from __future__ import annotations
-
 import siconos.kernel as sk
 
 from benchmarks.peers.telling import tell

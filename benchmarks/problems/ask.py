@@ -4,8 +4,6 @@
 where one is further off than the file says.
 """
 
-from __future__ import annotations
-
 import contextlib
 import importlib
 import io

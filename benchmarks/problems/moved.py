@@ -1,7 +1,5 @@
 """Digits of motions from an initial state: what is to be read of them, and what a theorem says of it."""
 
-from __future__ import annotations
-
 import re
 import shlex
 import tomllib

@@ -3,8 +3,6 @@
 ``python -m benchmarks.problems.publish FOLDER`` writes problems.md, problems.json and digits.csv.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 import json

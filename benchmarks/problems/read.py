@@ -1,7 +1,5 @@
 """The problems as data: a TOML file each, checked as it is read."""
 
-from __future__ import annotations
-
 import math
 import tomllib
 from dataclasses import dataclass

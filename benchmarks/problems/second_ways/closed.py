@@ -1,7 +1,5 @@
 """Second ways on paper, with mpmath at 40 digits: closed forms, and equations of one unknown."""
 
-from __future__ import annotations
-
 import mpmath
 from mpmath import mp, mpf
 

@@ -1,7 +1,5 @@
 """Second ways of problems with plays, stops and kinked springs."""
 
-from __future__ import annotations
-
 from math import cos, pi, sin
 
 import numpy as np

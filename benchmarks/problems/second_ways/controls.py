@@ -1,7 +1,5 @@
 """Second ways of problems with controllers."""
 
-from __future__ import annotations
-
 import mpmath
 import numpy as np
 from scipy.linalg import expm

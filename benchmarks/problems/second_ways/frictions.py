@@ -1,7 +1,5 @@
 """Second ways of problems with dry friction: conveyor, belts, two blocks, the trimmer."""
 
-from __future__ import annotations
-
 from math import cos
 
 import numpy as np

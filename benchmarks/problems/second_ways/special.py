@@ -4,8 +4,6 @@ Contacts without damping give a continuous right-hand side, so that the derivati
 of the exponentials of its pieces, whose durations DOP853 has found.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from math import cos
 

@@ -1,7 +1,5 @@
 """Motions from a state by ball arithmetic: against brute force and closed forms; made false, refused."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable
