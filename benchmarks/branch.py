@@ -15,11 +15,9 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from benchmarks.calibration import sentence
+from trimmer.branches import FollowedBranch, FollowSettings
 from trimmer.branches.follow import follow
-from trimmer.branches.followed import FollowedBranch
-from trimmer.branches.settings import FollowSettings
-from trimmer.mechanism.linear.matrices import linear_matrices
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism import Mechanism, linear_matrices
 
 EXAMPLE = Path(__file__).resolve().parent.parent / "examples" / "thesis-play.toml"
 TWIN = Mechanism.from_toml(EXAMPLE).with_value("frictions.blade.force", 1.0)

@@ -15,8 +15,7 @@ import numpy as np
 
 from benchmarks.calibration import calibration, sentence
 from trimmer.contact.flow import MechanismFlow
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import GROUND, Body, Force, Friction, Link, Stop
+from trimmer.mechanism import GROUND, Body, Force, Friction, Link, Mechanism, Stop
 
 CHAINS = (
     (6, 6, 6, 0),

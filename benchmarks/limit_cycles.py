@@ -20,8 +20,7 @@ import numpy as np
 
 from benchmarks.calibration import sentence
 from trimmer.balance.solve import harmonic_balance, limit_cycles
-from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
-from trimmer.elements.backlashes.viscous_backlash import ViscousBacklash
+from trimmer.elements import FrictionBacklash, ViscousBacklash
 from trimmer.linear.model import InputChannels, pin_model
 from trimmer.parameters import TrimmerParameters
 

@@ -21,9 +21,8 @@ from benchmarks.calibration import sentence
 from trimmer.arrays import Reals
 from trimmer.elements.backlashes.friction_backlash import FrictionBacklash
 from trimmer.linear.model import InputChannels, pin_model
-from trimmer.loops.motion import LoopMotion
+from trimmer.loops import LoopMotion, TrimmerLoop
 from trimmer.loops.simulation import simulate_loop as simulate
-from trimmer.loops.trimmer_loop import TrimmerLoop
 from trimmer.parameters import TrimmerParameters
 
 GAP, IMPULSE, DURATION = 4e-5, 1e-6, 0.1

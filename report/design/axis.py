@@ -10,11 +10,7 @@ from report.design.quantities import percent, place_words, shown, written
 from report.pages.drawing.drawn import drawn
 from report.pages.figure import Figure
 from trimmer.contact.control_loops import ControlLoops, loops_of
-from trimmer.design.design import Design
-from trimmer.design.found_motion import FoundMotion
-from trimmer.design.found_step import FoundStep
-from trimmer.design.kept_map import DesignMap
-from trimmer.design.linear import LinearState
+from trimmer.design import Design, DesignMap, FoundMotion, FoundStep, LinearState
 from trimmer.design.targets import OF_STEP, Measure, unit_of_measure
 from trimmer.linear.margins import Margins
 from trimmer.mechanism.mechanism import Mechanism

@@ -12,10 +12,8 @@ from report.cache.stage_store import StageStore
 from report.design.report import DesignReport
 from report.pages.formats import Format, Paper
 from trimmer.deadline import NEVER, Deadline
-from trimmer.design.design import Design
-from trimmer.design.design_file import DesignFile
+from trimmer.design import Design, DesignFile, DesignSettings
 from trimmer.design.keeping import Keeper
-from trimmer.design.settings import DesignSettings
 from trimmer.design.study import Study, Told
 from trimmer.runners.runner import Runner
 

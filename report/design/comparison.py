@@ -21,10 +21,9 @@ from report.design.words import (
 from report.pages.drawing.drawn import drawn
 from report.pages.escaping import Markdown, code, markdown
 from report.pages.figure import Figure
+from trimmer.design import Design, MeasureOfPart
 from trimmer.design.comparison import DesignComparison, measures_of
-from trimmer.design.design import Design
 from trimmer.design.targets import Measure, unit_of_measure
-from trimmer.design.trial import MeasureOfPart
 
 NEITHER = "—"
 

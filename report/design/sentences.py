@@ -7,9 +7,7 @@ import numpy as np
 from report.design.quantities import percent, place_words, shown, written
 from report.design.words import capital, closings_words, count, kind_words, periods
 from report.pages.escaping import Markdown, code, markdown
-from trimmer.design.design import Design, Stage
-from trimmer.design.plausible import Oddity, Question
-from trimmer.design.spectrum import OutputSpectrum
+from trimmer.design import Design, Oddity, OutputSpectrum, Question, Stage
 from trimmer.mechanism.kinds import Kind
 from trimmer.messages import listed
 from trimmer.response.response import MotionKind

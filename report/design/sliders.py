@@ -11,10 +11,8 @@ from report.design.quantities import Scale, place_words, scale_for
 from report.design.sentences import left_out
 from report.design.words import bound_words, capital, count, counted_in, measure_words
 from report.pages.explorable import Panel, Slider
-from trimmer.design.design import Design
-from trimmer.design.design_file import DesignFile
+from trimmer.design import Design, DesignFile, Measure, Target
 from trimmer.design.solved_grid import GridMotion, SolvedGrid
-from trimmer.design.targets import Measure, Target
 from trimmer.messages import listed
 from trimmer.response.pace import DRIVE_PERIOD, period_word
 from trimmer.response.response import MotionKind

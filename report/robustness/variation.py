@@ -12,8 +12,7 @@ import numpy as np
 from report.robustness.predictions import QUANTITIES, PredictedValue, Predictions, predict
 from trimmer import TrimmerParameters
 from trimmer.parameters import parameter_table
-from trimmer.uncertainty.distributions import Scatter, Uncertainty, Uniform
-from trimmer.uncertainty.statistics import distribution_of
+from trimmer.uncertainty import Scatter, Uncertainty, Uniform, distribution_of
 
 SHARE: Final = 0.1  # By how much each parameter changes, up and down
 SAMPLES: Final = 500

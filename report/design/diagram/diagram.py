@@ -16,9 +16,8 @@ from report.design.quantities import shown
 from report.pages.drawing.marks import arrow
 from report.pages.drawing.mechanical_symbols import BRIDGE, GUARD, HOUSING, LINE, MOTOR, body, canvas, wall
 from trimmer.drawing.look import plain_label
+from trimmer.mechanism import Force, Mechanism
 from trimmer.mechanism.kinds import Kind
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Force
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.waves import is_driven, mean_of
 

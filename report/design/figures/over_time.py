@@ -10,10 +10,8 @@ from matplotlib.figure import Figure
 from report.design.quantities import Scale, quantity_words, scale_for
 from report.pages.drawing.style import BLACK, FAINT, LINES, panels
 from trimmer.arrays import Reals
-from trimmer.design.found_motion import FoundMotion
-from trimmer.design.linear import LinearState
+from trimmer.design import FoundMotion, LinearState, LineKind, OutputSpectrum
 from trimmer.design.motion_signals import MotionSignals, Spans
-from trimmer.design.spectrum import LineKind, OutputSpectrum
 from trimmer.drawing.look import plain_label
 from trimmer.mechanism.linear.outputs import Contacts
 
