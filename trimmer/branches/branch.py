@@ -51,13 +51,21 @@ class BranchEnd(Choice):
 
 @dataclass(frozen=True, eq=False)
 class BranchPoint:
-    """An orbit on a branch."""
+    """An orbit on a branch.
 
-    value: float  # Value of the number that is varied
-    state: Reals  # State at the start of a drive period, shape (n,)
-    multipliers: Complexes  # Floquet multipliers of the whole period by falling modulus, shape (n,)
-    signature: Signature  # The phases that begin during a passage
-    events: int  # Events during a period, a number
+    Attributes:
+        value: Value of the number that is varied.
+        state: State at the start of a drive period, shape (n,).
+        multipliers: Floquet multipliers of the whole period by falling modulus, shape (n,).
+        signature: The phases that begin during a passage.
+        events: Events during a period, a number.
+    """
+
+    value: float
+    state: Reals
+    multipliers: Complexes
+    signature: Signature
+    events: int
 
     @cached_property
     def stable(self) -> bool:

@@ -26,12 +26,19 @@ SURE = 0.1  # Largest uncertainty, as a share of the distance over which is extr
 
 @dataclass(frozen=True)
 class EndlessPeriod:
-    """Where a period grows without bound."""
+    """Where a period grows without bound.
 
-    value: float  # Value of the number that is varied
-    uncertainty: float  # By how much extrapolations from different orbits differ
-    logarithmic: bool  # Whether the period grows like a logarithm, not like an inverse
-    period: float  # The longest that was found, s
+    Attributes:
+        value: Value of the number that is varied.
+        uncertainty: By how much extrapolations from different orbits differ.
+        logarithmic: Whether the period grows like a logarithm, not like an inverse.
+        period: The longest that was found, s.
+    """
+
+    value: float
+    uncertainty: float
+    logarithmic: bool
+    period: float
 
     @property
     def told(self) -> str:

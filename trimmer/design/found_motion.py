@@ -34,14 +34,20 @@ SHOWN = 6  # Of these, how many are kept as signals
 
 @dataclass(frozen=True)
 class Switched:
-    """What a machine that switches does from its start on."""
+    """What a machine that switches does from its start on.
 
-    closings: Mapping[str, Closing]  # How its contacts close, by name
-    last: float  # Time of its last event, or of the end of its last profile, s
-    # Of each part where it rests, N, positive where it pulls its ends together; empty if it does not come to
-    # rest
+    Attributes:
+        closings: How its contacts close, by name.
+        last: Time of its last event, or of the end of its last profile, s.
+        forces: Of each part where it rests, N, positive where it pulls its ends together; empty if it does
+            not come to rest.
+        positions: Of each body there, m.
+    """
+
+    closings: Mapping[str, Closing]
+    last: float
     forces: Mapping[str, float]
-    positions: Mapping[str, float]  # Of each body there, m
+    positions: Mapping[str, float]
 
 
 @dataclass(frozen=True, eq=False)

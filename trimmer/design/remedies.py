@@ -48,16 +48,24 @@ class Remedy:
 
 @dataclass(frozen=True)
 class Mend:
-    """What a single number does for a target that is missed."""
+    """What a single number does for a target that is missed.
 
-    target: Target  # The target
-    # The change after which it is met, of all that were tried the one that misses fewest others; None if none
-    # meets it
+    Attributes:
+        target: The target.
+        change: The change after which it is met, of all that were tried the one that misses fewest others;
+            None if none meets it.
+        value: What the target bounds then; None without a change.
+        missed: The targets that are missed then.
+        helpless: Places of the numbers of which no value that was tried meets it.
+        strongest: Places of all that were tried, those first that move it most.
+    """
+
+    target: Target
     change: Change | None
-    value: float | None  # What the target bounds then; None without a change
-    missed: tuple[Target, ...]  # The targets that are missed then
-    helpless: tuple[str, ...]  # Places of the numbers of which no value that was tried meets it
-    strongest: tuple[str, ...]  # Places of all that were tried, those first that move it most
+    value: float | None
+    missed: tuple[Target, ...]
+    helpless: tuple[str, ...]
+    strongest: tuple[str, ...]
 
 
 @dataclass(frozen=True)

@@ -35,13 +35,21 @@ class Excess:
 
 @dataclass(frozen=True)
 class Judgement:
-    """How well a fit explains a measurement."""
+    """How well a fit explains a measurement.
 
-    chi_square: float  # Sum of the squares of the whitened residual
-    freedom: int  # Number of residuals less unknowns and the origin of time
-    probability: float  # That noise alone gives as much or more
-    excesses: tuple[Excess, ...]  # Lines that are missed, largest ratio first
-    sentences: tuple[str, ...]  # What is to be said, without full stops; the first one is the verdict
+    Attributes:
+        chi_square: Sum of the squares of the whitened residual.
+        freedom: Number of residuals less unknowns and the origin of time.
+        probability: That noise alone gives as much or more.
+        excesses: Lines that are missed, largest ratio first.
+        sentences: What is to be said, without full stops; the first one is the verdict.
+    """
+
+    chi_square: float
+    freedom: int
+    probability: float
+    excesses: tuple[Excess, ...]
+    sentences: tuple[str, ...]
 
     @property
     def reduced(self) -> float:

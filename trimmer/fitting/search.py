@@ -24,13 +24,21 @@ WORTH = 1.5  # Chi-square over the least one up to which a fit is made exact
 
 @dataclass(frozen=True, eq=False)
 class FitSearch:
-    """What the starts came to."""
+    """What the starts came to.
 
-    best: Fitted  # The least misfit
-    starts: int  # Number of starts
-    agreeing: int  # How many of them came to it
-    elsewhere: tuple[float, ...]  # Chi-square of the others that came to a fit, rising
-    lost: int  # How many began where the motion does not repeat as the measured one does
+    Attributes:
+        best: The least misfit.
+        starts: Number of starts.
+        agreeing: How many of them came to it.
+        elsewhere: Chi-square of the others that came to a fit, rising.
+        lost: How many began where the motion does not repeat as the measured one does.
+    """
+
+    best: Fitted
+    starts: int
+    agreeing: int
+    elsewhere: tuple[float, ...]
+    lost: int
 
 
 def search(misfit: Misfit, starts: int, spread: float, seed: int) -> FitSearch | None:

@@ -16,12 +16,19 @@ PART = 0.15  # Share of the largest change below which a number does not take pa
 
 @dataclass(frozen=True)
 class WeakDirection:
-    """A change of numbers that changes the fit by less than the noise."""
+    """A change of numbers that changes the fit by less than the noise.
 
-    places: tuple[str, ...]  # Dotted places of the numbers that take part, largest change first
-    changes: tuple[float, ...]  # By how much each coordinate changes, that of the largest change by ln 1.1
-    chi_square: float  # By how much that changes chi-square
-    message: str  # The same as a sentence without a full stop
+    Attributes:
+        places: Dotted places of the numbers that take part, largest change first.
+        changes: By how much each coordinate changes, that of the largest change by ln 1.1.
+        chi_square: By how much that changes chi-square.
+        message: The same as a sentence without a full stop.
+    """
+
+    places: tuple[str, ...]
+    changes: tuple[float, ...]
+    chi_square: float
+    message: str
 
 
 def weak_directions(

@@ -23,11 +23,15 @@ CRITICAL_POINT = -1.0  # The point of the Nyquist criterion for a loop 1 + G = 0
 
 @dataclass(frozen=True)
 class LowPass:
-    """Low-pass behaviour relative to the gain at zero frequency."""
+    """Low-pass behaviour relative to the gain at zero frequency.
 
-    # Lowest frequency at which |G| falls 3 dB below that gain, rad/s; infinite if it never does
+    Attributes:
+        bandwidth: Lowest frequency at which |G| falls 3 dB below that gain, rad/s; infinite if it never does.
+        crossings: All frequencies at which |G| crosses that level, rad/s, rising.
+    """
+
     bandwidth: float
-    crossings: tuple[float, ...]  # All frequencies at which |G| crosses that level, rad/s, rising
+    crossings: tuple[float, ...]
 
 
 @dataclass(frozen=True, repr=False)

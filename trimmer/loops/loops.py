@@ -30,9 +30,12 @@ AT_REST: Mapping[str, float] = ReadOnly({})
 
 
 class Loop(ABC):
-    """A linear system with switched elements, whose motion ``simulate`` follows."""
+    """A linear system with switched elements, whose motion ``simulate`` follows.
 
-    # States of the linear system with which a motion begins, by name; the others are 0
+    Attributes:
+        start: States of the linear system with which a motion begins, by name; the others are 0.
+    """
+
     start: Mapping[str, float]
 
     def __repr__(self) -> str:

@@ -29,16 +29,24 @@ SAMPLES = 128  # Samples per drive period of a window, beside its events
 
 @dataclass(frozen=True)
 class Measures:
-    """Measures of a motion over some drive periods."""
+    """Measures of a motion over some drive periods.
 
-    peak_to_peak: dict[str, float]  # Of each output, in its unit
-    rms_acceleration: dict[str, float]  # Of each body, m/s²
-    # What each dry friction turns into heat on average, W; its viscous share is left out
+    Attributes:
+        peak_to_peak: Of each output, in its unit.
+        rms_acceleration: Of each body, m/s².
+        wear_power: What each dry friction turns into heat on average, W; its viscous share is left out.
+        events: Per drive period, of all kinds.
+        impacts: Contacts made per drive period.
+        impact_speed: Largest speed at which the sides of a contact meet, m/s; 0 without impacts.
+        chosen: Those that were asked for, by their keys, SI units.
+    """
+
+    peak_to_peak: dict[str, float]
+    rms_acceleration: dict[str, float]
     wear_power: dict[str, float]
-    events: float  # Per drive period, of all kinds
-    impacts: float  # Contacts made per drive period
-    impact_speed: float  # Largest speed at which the sides of a contact meet, m/s; 0 without impacts
-    # Those that were asked for, by their keys, SI units
+    events: float
+    impacts: float
+    impact_speed: float
     chosen: dict[str, float] = field(default_factory=dict)
 
 

@@ -111,12 +111,19 @@ def _passes(values: Reals, states: Reals, target: Reals, state: Reals, sizes: Re
 
 @dataclass(frozen=True, eq=False)
 class Meeting:
-    """Where two curves meet with the same orbit, as near as the points of the curves tell."""
+    """Where two curves meet with the same orbit, as near as the points of the curves tell.
 
-    curves: tuple[int, int]  # Numbers of the two curves, the lower first
-    values: Reals  # Values of both numbers, SI units, (2,)
-    ends: bool  # Whether one of them ends there; otherwise they cross
-    distance: float  # How far apart they are, as a share of the ranges; 0 where they cross
+    Attributes:
+        curves: Numbers of the two curves, the lower first.
+        values: Values of both numbers, SI units, (2,).
+        ends: Whether one of them ends there; otherwise they cross.
+        distance: How far apart they are, as a share of the ranges; 0 where they cross.
+    """
+
+    curves: tuple[int, int]
+    values: Reals
+    ends: bool
+    distance: float
 
 
 @dataclass(frozen=True, eq=False, repr=False)

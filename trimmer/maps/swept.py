@@ -34,11 +34,17 @@ APART = 0.05  # Least difference of both ways, as a share of the largest stroke,
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SweepPoint(Shown):
-    """The motion at one value."""
+    """The motion at one value.
 
-    value: float  # Value of the number, in SI units; Hz for a frequency
-    back: bool  # Whether it is on the way back
-    motion: Plateau  # What was measured
+    Attributes:
+        value: Value of the number, in SI units; Hz for a frequency.
+        back: Whether it is on the way back.
+        motion: What was measured.
+    """
+
+    value: float
+    back: bool
+    motion: Plateau
 
     def peak_to_peak(self, output: str) -> float:
         """Return peak to peak of an output; NaN where the motion ended before."""
@@ -51,13 +57,18 @@ class SweepPoint(Shown):
 
 @dataclass(frozen=True)
 class Hysteresis:
-    """Neighbouring values at which both ways differ."""
+    """Neighbouring values at which both ways differ.
 
-    output: str  # Name of the output
-    # lowest, highest: The values at the ends
+    Attributes:
+        output: Name of the output.
+        lowest, highest: The values at the ends.
+        largest: Largest difference of peak to peak, in the unit of the output.
+    """
+
+    output: str
     lowest: float
     highest: float
-    largest: float  # Largest difference of peak to peak, in the unit of the output
+    largest: float
 
 
 @dataclass(frozen=True, eq=False, repr=False)

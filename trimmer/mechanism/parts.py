@@ -147,14 +147,22 @@ class Link(_Damped):
 
 @dataclass(frozen=True)
 class Contact(_Damped):
-    """A link that acts in contact only: a play or a stop."""
+    """A link that acts in contact only: a play or a stop.
 
-    between: tuple[str, str]  # Names of start and end
-    stiffness: float = 0.0  # N/m
-    damping: float = 0.0  # N s/m
-    gap: float = 0.0  # Of a play the total clearance, of a stop the distance at which contact begins, m
-    law: ContactLaw = ContactLaw.RELAXING  # The contact law
-    # Symbol of the stiffness in printed equations; that of the damping begins with c instead
+    Attributes:
+        between: Names of start and end.
+        stiffness: N/m.
+        damping: N s/m.
+        gap: Of a play the total clearance, of a stop the distance at which contact begins, m.
+        law: The contact law.
+        symbol: Symbol of the stiffness in printed equations; that of the damping begins with c instead.
+    """
+
+    between: tuple[str, str]
+    stiffness: float = 0.0
+    damping: float = 0.0
+    gap: float = 0.0
+    law: ContactLaw = ContactLaw.RELAXING
     symbol: str | None = None
 
 

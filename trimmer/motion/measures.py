@@ -20,17 +20,24 @@ HARMONICS = 20  # Number of harmonics of the drive that are given
 
 @dataclass(frozen=True, eq=False)
 class OutputMeasures:
-    """What an output does, in its unit."""
+    """What an output does, in its unit.
 
-    # smallest, largest: Its extremes
+    Attributes:
+        smallest, largest: Its extremes.
+        mean: Mean over the motion.
+        rms: Root of the mean square about the mean.
+        amplitudes: Complex amplitudes at p/k of the drive, p = 1, 2, ...: real part of c exp(i p w t / k).
+        period_count: k.
+        advance: Shift over the motion, which was taken off evenly before all this was measured.
+    """
+
     smallest: float
     largest: float
-    mean: float  # Mean over the motion
-    rms: float  # Root of the mean square about the mean
-    # Complex amplitudes at p/k of the drive, p = 1, 2, ...: real part of c exp(i p w t / k)
+    mean: float
+    rms: float
     amplitudes: Complexes
-    period_count: int  # k
-    advance: float = 0.0  # Shift over the motion, which was taken off evenly before all this was measured
+    period_count: int
+    advance: float = 0.0
 
     @property
     def peak_to_peak(self) -> float:
@@ -61,12 +68,19 @@ class OutputMeasures:
 
 @dataclass(frozen=True, eq=False)
 class Measures:
-    """Measures of a motion, each computed when it is asked for."""
+    """Measures of a motion, each computed when it is asked for.
 
-    course: Course  # The motion, over whole drive periods, or without a drive over one period of its own
-    flow: Flow  # What moves
-    period_count: int  # Number k of drive periods after which it returns; 1 for a window of one that does not
-    periods: int  # Number of drive periods it spans
+    Attributes:
+        course: The motion, over whole drive periods, or without a drive over one period of its own.
+        flow: What moves.
+        period_count: Number k of drive periods after which it returns; 1 for a window of one that does not.
+        periods: Number of drive periods it spans.
+    """
+
+    course: Course
+    flow: Flow
+    period_count: int
+    periods: int
 
     @cached_property
     def outputs(self) -> Mapping[str, OutputMeasures]:

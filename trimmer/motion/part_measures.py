@@ -7,15 +7,21 @@ from typing import Self
 
 @dataclass(frozen=True)
 class ContactMeasures:
-    """What a play or a stop does."""
+    """What a play or a stop does.
 
-    impacts: float  # Number of contacts made per drive period, the mean
-    # Relative speed just before each contact of the motion, m/s, in their order
+    Attributes:
+        impacts: Number of contacts made per drive period, the mean.
+        impact_speeds: Relative speed just before each contact of the motion, m/s, in their order.
+        largest_force: Largest modulus of its force, N; None where it has none, as behind a loop's backlash.
+        share: Share of the time in contact.
+        completed: Of a wall, infinite chatters per drive period that were completed.
+    """
+
+    impacts: float
     impact_speeds: tuple[float, ...]
-    # Largest modulus of its force, N; None where it has none, as behind a loop's backlash
     largest_force: float | None
-    share: float  # Share of the time in contact
-    completed: float = 0.0  # Of a wall, infinite chatters per drive period that were completed
+    share: float
+    completed: float = 0.0
 
     @property
     def impact_speed(self) -> float:
@@ -37,11 +43,17 @@ class ContactMeasures:
 
 @dataclass(frozen=True)
 class FrictionMeasures:
-    """What a dry friction does."""
+    """What a dry friction does.
 
-    work: float  # Lost to it per drive period, the mean, J; without its viscous part
-    power: float  # Mean power lost to it, W: what wears it
-    stick: float  # Share of the time in stick
+    Attributes:
+        work: Lost to it per drive period, the mean, J; without its viscous part.
+        power: Mean power lost to it, W: what wears it.
+        stick: Share of the time in stick.
+    """
+
+    work: float
+    power: float
+    stick: float
 
     @classmethod
     def joined(cls, parts: Sequence[Self]) -> Self:

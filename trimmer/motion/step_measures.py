@@ -35,14 +35,23 @@ class Step:
 
 @dataclass(frozen=True)
 class StepMeasures:
-    """How a signal follows a step. None stands for what does not happen or is not there."""
+    """How a signal follows a step. None stands for what does not happen, or for a control that is not there.
 
-    rise_time: float | None  # From first reaching 10 % to first reaching 90 % of the step, s
-    overshoot: float  # Of the largest value beyond the reference, % of the step; 0 if it stays below
-    settling_time: float | None  # From the step until it stays within 2 % of the step around the reference, s
-    final_error: float  # Reference less signal, at the end or as the mean of what it settles to, in its unit
-    largest_control: float | None = None  # Largest modulus of what acts, in the unit of the control
-    largest_demand: float | None = None  # The same of what is asked for before the limit
+    Attributes:
+        rise_time: From first reaching 10 % to first reaching 90 % of the step, s.
+        overshoot: Of the largest value beyond the reference, % of the step; 0 if it stays below.
+        settling_time: From the step until it stays within 2 % of the step around the reference, s.
+        final_error: Reference less signal, at the end or as the mean of what it settles to, in its unit.
+        largest_control: Largest modulus of what acts, in the unit of the control.
+        largest_demand: The same of what is asked for before the limit.
+    """
+
+    rise_time: float | None
+    overshoot: float
+    settling_time: float | None
+    final_error: float
+    largest_control: float | None = None
+    largest_demand: float | None = None
 
 
 def step_measures(

@@ -11,11 +11,16 @@ from trimmer.ties import levels
 
 @dataclass(frozen=True)
 class OrbitFamily:
-    """A continuum of orbits, as of a relay that drives a double integrator, which keeps any amplitude."""
+    """A continuum of orbits, as of a relay that drives a double integrator, which keeps any amplitude.
 
-    member: PeriodicOrbit  # The largest of those that were met; it stands for all
-    met: int  # How many were met
-    # Smallest and largest amplitude of these, in the unit of the element's input, m
+    Attributes:
+        member: The largest of those that were met; it stands for all.
+        met: How many were met.
+        amplitudes: Smallest and largest amplitude of these, in the unit of the element's input, m.
+    """
+
+    member: PeriodicOrbit
+    met: int
     amplitudes: tuple[float, float]
 
     @property

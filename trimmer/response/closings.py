@@ -17,14 +17,23 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Closing:
-    """How a contact closes in a motion."""
+    """How a contact closes in a motion.
 
-    closing_time: float  # When its sides first meet, s
-    touches: int  # How often they meet
-    bounce_time: float  # From the first to the last time, s; 0 if they meet once
-    impact_speed: float  # Largest speed at which they meet, m/s
-    closed: bool  # Whether they touch at the end
-    force: float  # At the end, N, positive where it pulls the ends together: the closing force
+    Attributes:
+        closing_time: When its sides first meet, s.
+        touches: How often they meet.
+        bounce_time: From the first to the last time, s; 0 if they meet once.
+        impact_speed: Largest speed at which they meet, m/s.
+        closed: Whether they touch at the end.
+        force: At the end, N, positive where it pulls the ends together: the closing force.
+    """
+
+    closing_time: float
+    touches: int
+    bounce_time: float
+    impact_speed: float
+    closed: bool
+    force: float
 
 
 def closings(

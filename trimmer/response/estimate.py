@@ -13,10 +13,15 @@ NORMAL_95 = 1.959963984540054
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number that was estimated."""
+    """A number that was estimated.
 
-    value: float  # The estimate
-    uncertainty: float  # Its standard error
+    Attributes:
+        value: The estimate.
+        uncertainty: Its standard error.
+    """
+
+    value: float
+    uncertainty: float
 
     @property
     def interval(self) -> tuple[float, float]:

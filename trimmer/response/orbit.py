@@ -35,23 +35,32 @@ class Orbit(Tabular, Drawn):
 
     ``plot`` draws the first output in the phase plane: its rate, m/s, over itself, m. A dot marks the start
     of each drive period. Without outputs it is the first body that is drawn.
+
+    Attributes:
+        flow: What moves, in the frame that advances evenly with the motion, if it does.
+        periods: Number of drive periods after which it was to return; 0 without a drive.
+        period_count: The smallest number of drive periods after which it returns, a divisor of ``periods``;
+            1 without a drive.
+        course: The motion over ``periods``.
+        sizes: Scale of each state, (n,).
+        multipliers: Floquet multipliers over ``periods``, largest modulus first, (n,). Zeros where stick or
+            contact takes a dimension away. Without a drive one of them is 1, and so is one for each
+            direction in which bodies may be shifted without a change of any force.
+        residual: Largest distance between end and start as a share of the sizes.
+        about: What else is to be said if it was found.
+        margins: Rounding of each multiplier, (n,): its condition times that of the derivative of the return,
+            in which what is left of the residual counts too, and what the place of the orbit adds where a
+            multiplier near 1 leaves it open. Empty for none.
     """
 
-    flow: Flow  # What moves, in the frame that advances evenly with the motion, if it does
-    periods: int  # Number of drive periods after which it was to return; 0 without a drive
-    # The smallest number of drive periods after which it returns, a divisor of ``periods``; 1 without a drive
+    flow: Flow
+    periods: int
     period_count: int
-    course: Course  # The motion over ``periods``
-    sizes: Reals  # Scale of each state, (n,)
-    # Floquet multipliers over ``periods``, largest modulus first, (n,). Zeros where stick or contact takes a
-    # dimension away. Without a drive one of them is 1, and so is one for each direction in which bodies may
-    # be shifted without a change of any force.
+    course: Course
+    sizes: Reals
     multipliers: Complexes
-    residual: float  # Largest distance between end and start as a share of the sizes
-    about: str = ""  # What else is to be said if it was found
-    # Rounding of each multiplier, (n,): its condition times that of the derivative of the return, in which
-    # what is left of the residual counts too, and what the place of the orbit adds where a multiplier near 1
-    # leaves it open. Empty for none.
+    residual: float
+    about: str = ""
     margins: Reals = field(default_factory=lambda: np.zeros(0))
 
     @property

@@ -54,20 +54,33 @@ class MotionKind(Choice):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SettledMotion(Shown):
-    """A motion that one or several starts settle to."""
+    """A motion that one or several starts settle to.
 
-    kind: MotionKind  # What it is
-    orbit: Orbit | None  # The exact orbit, if it repeats
-    window: Watched | None  # What was seen of it, if it does not repeat
-    drive_periods: int  # Number of drive periods that were followed until this was known, the window included
-    # Whether a neighbouring start was found to do the same; None if none was tried
+    Attributes:
+        kind: What it is.
+        orbit: The exact orbit, if it repeats.
+        window: What was seen of it, if it does not repeat.
+        drive_periods: Number of drive periods that were followed until this was known, the window included.
+        neighbour_agrees: Whether a neighbouring start was found to do the same; None if none was tried.
+        message: What it is, in sentences.
+        rest: Where it rests, with the forces of all parts, if it comes to rest.
+        linear: It in closed form, if no event comes any more.
+        starts: How many starts settle to it.
+        share: Their share of all starts.
+        mirrored: Whether it is the mirror image of the motion before it in the list.
+    """
+
+    kind: MotionKind
+    orbit: Orbit | None
+    window: Watched | None
+    drive_periods: int
     neighbour_agrees: bool | None
-    message: str  # What it is, in sentences
-    rest: Rest | None = None  # Where it rests, with the forces of all parts, if it comes to rest
-    linear: LinearMotion | None = None  # It in closed form, if no event comes any more
-    starts: int = 1  # How many starts settle to it
-    share: float = 1.0  # Their share of all starts
-    mirrored: bool = False  # Whether it is the mirror image of the motion before it in the list
+    message: str
+    rest: Rest | None = None
+    linear: LinearMotion | None = None
+    starts: int = 1
+    share: float = 1.0
+    mirrored: bool = False
 
     @property
     def period_count(self) -> int | None:

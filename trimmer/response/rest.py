@@ -21,14 +21,19 @@ RESTING = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Rest:
-    """A mechanism or loop at rest."""
+    """A mechanism or loop at rest.
 
-    flow: Flow  # What rests
-    instant: Instant  # Where it rests
-    # Whether it is one of many places side by side, as where friction or a gap lets a body stay wherever it
-    # stopped: the digits then belong to the start
+    Attributes:
+        flow: What rests.
+        instant: Where it rests.
+        family: Whether it is one of many places side by side, as where friction or a gap lets a body stay
+            wherever it stopped: the digits then belong to the start.
+        asymptotic: Whether it is the limit of slips that become smaller for ever, and is never reached.
+    """
+
+    flow: Flow
+    instant: Instant
     family: bool
-    # Whether it is the limit of slips that become smaller for ever, and is never reached
     asymptotic: bool = False
 
     @cached_property

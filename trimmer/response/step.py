@@ -25,11 +25,16 @@ CLOSE = 2e-3  # Share of the step within which an output counts as still
 
 @dataclass(frozen=True)
 class Hunting:
-    """What an output does that does not come to rest."""
+    """What an output does that does not come to rest.
 
-    amplitude: float  # Half of peak to peak, in the unit of the output
-    period: float | None  # Of the cycle, s; None where nothing repeats
-    # Of the cycle, or of its largest line where nothing repeats, Hz; None if that is not known
+    Attributes:
+        amplitude: Half of peak to peak, in the unit of the output.
+        period: Of the cycle, s; None where nothing repeats.
+        frequency: Of the cycle, or of its largest line where nothing repeats, Hz; None if that is not known.
+    """
+
+    amplitude: float
+    period: float | None
     frequency: float | None
 
 
