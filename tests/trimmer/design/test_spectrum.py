@@ -69,7 +69,7 @@ def test_the_nearest_mode_is_named_with_its_state() -> None:
 
 
 def test_a_motion_by_itself_has_the_lines_of_its_own_period() -> None:
-    moving = motion(outputs={"x": output(0.0, 1.0, [1.0, 0.5])}, period=0.25)
+    moving = motion(outputs={"x": output(0.0, 1.0, [1.0, 0.5])}, period=0.25, driven=False)
     lines = spectra(moving, None, ())["x"].lines
     assert [(line.kind, line.numerator, line.frequency) for line in lines] == [
         (LineKind.OWN, 1, 4.0),
