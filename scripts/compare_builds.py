@@ -3,7 +3,8 @@
     python scripts/compare_builds.py keep FOLDER      writes the report and what the commands print
     python scripts/compare_builds.py compare OLD NEW  prints each difference; exits with 1 if there is any
 
-Left out are source paths, the chapter "Code" and the provenance. The text of the PDF needs pdftotext.
+Left out are source paths with their lines, the chapter "Code" and the provenance. The text of the PDF needs
+pdftotext.
 """
 
 import argparse
@@ -28,7 +29,7 @@ SHOWN = 400
 """Most characters of a difference that are printed."""
 SOURCE = re.compile(r"Derived\s+in:\s+(\S+\s+)*?\S+\.py")
 PROVENANCE = re.compile(r"^trimmer \d[^\n]*$|^Certificate$.*?\f", re.MULTILINE | re.DOTALL)
-CODE_LINK = re.compile(r'<a [^>]*href="#code[^"]*"[^>]*>.*?</a>', re.DOTALL)
+CODE_LINK = re.compile(r'<a [^>]*href="#code[^"]*"[^>]*>.*?</a>|(?<=\.py), lines \d+–\d+', re.DOTALL)
 GENERATED = re.compile(
     r"%\s+Generated[\s%]+from.*?SI[\s%]+units[\s%]+throughout\.|\b\d+\s+lines\b", re.DOTALL
 )

@@ -133,11 +133,11 @@ def _transfer(design: Design) -> Iterator[Figure]:
     if not moving:
         return
     states = f" with contacts {' and with contacts '.join(moving)}" if len(design.linear) > 1 else ""
-    still = f" With contacts open {drive} moves nothing of it." if len(moving) < len(design.linear) else ""
+    still = f" With contacts open {drive} does not move it." if len(moving) < len(design.linear) else ""
     yield drawn(
         "transfer",
         f"From {drive} to {output}",
-        f"What {output} does for a small vibration of {drive}{states}.{still} The dotted line is the "
+        f"How {output} answers a small vibration of {drive}{states}.{still} The dotted line is the "
         "frequency of the drive. Dry friction is left out.",
         f"Modulus and phase of a transfer function over frequency{states}; its peaks are at the modes in the "
         "table above.",

@@ -26,7 +26,7 @@ def map_sentences(drawn: DesignMap, switched: bool, stepped: bool = False) -> st
     """Say what a map shows around the working point, and what failed."""
     result = drawn.result
     own = f"In the cell nearest to the file’s own point the motion is {_cell_words(drawn)}."
-    starts = "Each cell is what comes of the file’s start alone; from other starts other motions may come."
+    starts = "Each cell has the motion from the file’s start alone; other starts may lead to other motions."
     failed = len(result.failures)
     if stepped:
         told = "Each cell is one motion from the file’s start through its steps. What does not come is white."

@@ -344,8 +344,8 @@ def _depends(design: Design) -> Markdown:
     verdict, study = design.verdict, design.ranges
     if study is not None and study.doubt > 0 and study.meeting is not None:
         return markdown(
-            "**It depends on what nobody knows:** of {} points over the {}, {} meet the targets; most would "
-            "be told by measuring the {}.",
+            "**It depends on what nobody knows:** of {} points over the {}, {} meet the targets; it would "
+            "help most to measure the {}.",
             len(study.trials),
             listed([place_words(each.place) for each in study.ranges]),
             percent(study.meeting),
