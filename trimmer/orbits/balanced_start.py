@@ -79,7 +79,6 @@ def _starts(
     for phase in _quiet_phases(places):
         state = np.zeros(layout.size)
         state[: layout.order] = (np.exp(1j * phase * given[0].numbers) @ harmonics).imag
-        state[-1] = 1.0
         there = [place(phase) for place in places]
         for first, (_, own) in zip(layout.first_states, there, strict=True):
             state[first : first + len(own)] = own

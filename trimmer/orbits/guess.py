@@ -24,12 +24,12 @@ class Start:
     """Start of the search for an orbit."""
 
     mode: int  # Number of the mode of the loop
-    state: Reals  # Extended state, shape (n,)
+    state: Reals  # Of what moves, as in the extended state, whose constant is left out, shape (n,)
     sizes: Reals  # Largest modulus of each entry of the state along the orbit, estimated, shape (n,)
 
 
 def starting_point(loop: ClosedLoop, amplitude: float, omega: float) -> Start:
-    """Return the mode and extended state in which the loop would be on its first harmonic.
+    """Return the mode and the state in which the loop would be on its first harmonic.
 
     The phase is in the middle of a contact, of a half period of a relay, or of the longest time between two
     corners or thresholds, so that no event is near.
@@ -46,7 +46,6 @@ def starting_point(loop: ClosedLoop, amplitude: float, omega: float) -> Start:
     output = complex(element.describing_function(amplitude, omega)) * amplitude
     state, sizes = np.zeros(modes.system.layout.size), np.ones(modes.system.layout.size)
     state[: model.nstates] = (response * output * np.exp(1j * phase)).imag
-    state[-1] = 1.0
     sizes[: model.nstates] = abs(response * output)
     for first, component in zip(
         modes.system.layout.first_states, modes.system.interconnection.components, strict=True
