@@ -24,6 +24,7 @@ from report.numbers.twin.kept_files import FOLDER
 from report.numbers.twin.kept_map import write_map
 from trimmer import FollowedBranch, follow
 from trimmer.arrays import Reals
+from trimmer.command_line.parser import INTERRUPTED
 from trimmer.errors import MapFileError
 from trimmer.maps.cells import CellResult
 from trimmer.maps.inputs import MapInputs
@@ -34,7 +35,6 @@ COMPUTES = "trimmer.maps.motion_map"
 """What computes cells."""
 SHORT = 12
 """Digits of its digest that name a folder."""
-INTERRUPTED = 130
 
 
 def work_folder() -> Path:
