@@ -1,22 +1,12 @@
-"""Sampled controllers from their definition: numbers in a loop, a list of what is on its way.
-
-Between instants of the clock every control is a constant force, so whatever moves a mechanism without
-controllers moves one with them.
-"""
+"""Sampled controllers from their definition: numbers in a loop, a list of what is on its way."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
-from functools import partial
-from itertools import pairwise
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from tests.mechanisms.brute_force import BruteForce, BruteMotion, changes, start_state
-from tests.mechanisms.dynamics import System
-from trimmer.mechanism import Cascade, Controller, Force, Mechanism, OutputKind, Pid, TransferController
-
-Given = Callable[[float], tuple[float, float]]  # Reference and its rate at a time, right limits
+from trimmer.mechanism import Cascade, Controller, Pid, TransferController
 
 
 @dataclass
@@ -107,48 +97,3 @@ def instants(controls: list[SampledControl], end: float) -> Iterator[tuple[float
         if last + near < time < end - near:
             yield time, [any(abs(time - each) <= near for each in found[n]) for n in range(len(controls))]
             last = time
-
-
-def by_brute_force(mechanism: Mechanism, given: Mapping[str, Given], duration: float) -> BruteMotion:
-    """Integrate a mechanism whose controllers are all sampled, piece by piece, each with constant controls.
-
-    What is measured are displacements and velocities of coordinates. Events at an instant of the clock are
-    those between the modes before and after it.
-    """
-    controls = {name: SampledControl(each) for name, each in mechanism.controllers.items()}
-    plain = replace(mechanism, controllers={}, references={}, outputs={})
-    force, whole = BruteForce(1e-12), None
-    times = [*instants(list(controls.values()), duration), (duration, [])]
-    state = start_state(System(plain))
-    for (begin, samples), (end, _) in pairwise(times):
-        read = partial(_read, mechanism, state)
-        for (name, each), sampled in zip(controls.items(), samples, strict=True):
-            if sampled:
-                law = each.controller
-                speed = read(law.speed) if law.speed in mechanism.outputs else read(law.measure, rate=True)
-                each.sample(begin, read(law.measure), given[name](begin), speed)
-        acting = {}
-        for name, each in controls.items():
-            each.act(begin)
-            for end_, sign in zip(each.controller.acts, (-1, 1), strict=True):
-                if end_ != "ground":
-                    acting[f"{name} on {end_}"] = Force(end_, constant=sign * each.acting)
-        pushed = System(replace(plain, forces={**plain.forces, **acting}))
-        piece = force.run(pushed, state, begin, end)
-        if whole is None:
-            whole = piece
-        else:
-            before, after = whole.pieces[-1].mode, piece.pieces[0].mode
-            whole.events += [*changes(pushed, begin, before, after), *piece.events]
-            whole.pieces += piece.pieces
-            whole.ambiguous += piece.ambiguous
-        state = whole.final = piece.final
-    assert whole is not None
-    return whole
-
-
-def _read(mechanism: Mechanism, state: np.ndarray, output: str, rate: bool = False) -> float:
-    """An output that is a displacement or a velocity of coordinates."""
-    weights, names = mechanism.outputs[output].weights, list(mechanism.coordinates)
-    rate = rate or mechanism.outputs[output].kind is OutputKind.VELOCITY
-    return sum(weight * state[names.index(name) + rate * len(names)] for name, weight in weights.items())

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from tests.mechanisms.sampled import SampledControl, by_brute_force, instants
+from tests.mechanisms.sampled import SampledControl, instants
 from tests.quick import quick
 from tests.trimmer.problem_machines import machine_text
 from trimmer import (
@@ -112,20 +112,10 @@ def test_behind_a_break_what_samples_set_changes_at_their_instants_to_the_last_d
 SERVO = Mechanism.from_toml_text(machine_text("sampled-servo"))
 
 
-def test_a_servo_with_play_friction_and_a_long_delay() -> None:
+def test_an_integral_that_runs_on_in_stick_is_no_end() -> None:
     motion = simulate(SERVO, 0.3)
     assert motion.energy.residual < 1e-11
     assert motion.rest is None  # The integral goes on until something breaks away.
-
-    def given(time: float) -> tuple[float, float]:
-        return (0.4 if time >= 0.0103 else 0.0), 0.0
-
-    brute = by_brute_force(SERVO, {"axis": given}, 0.03)
-    found = simulate(SERVO, 0.03)
-    state = np.array([found.final["motor"], found.final["load"]]).T.ravel()
-    np.testing.assert_allclose(state, brute.final[:4], rtol=0, atol=1e-9 * abs(brute.final[:4]).max())
-    told = [(each.part, each.kind.word.replace("-", " ")) for each in found.events]
-    assert told == [(each.part, each.kind.value) for each in brute.events]
 
 
 def test_multipliers_over_a_sample() -> None:

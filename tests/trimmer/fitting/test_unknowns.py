@@ -45,6 +45,7 @@ def test_a_number_that_changes_nothing_is_named_alone() -> None:
     assert weak.chi_square == pytest.approx((3.0 * TOLD) ** 2)
     assert "says little of the offset of pin: raising the offset of pin by 0.00019 m changes" in weak.message
     assert weak_directions(UNKNOWNS, jacobian, (2.99 * TOLD) ** 2) == ()
+    assert weak_directions(UNKNOWNS, jacobian, (3.01 * TOLD) ** 2) == (weak,)
     (gap,) = weak_directions(UNKNOWNS, np.diag([3.0, 50.0, 80.0]), 3.84)
     assert "raising the gap of p by 10 %" in gap.message
 
