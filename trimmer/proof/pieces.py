@@ -13,29 +13,20 @@ from trimmer.proof.balls import hull
 from trimmer.proof.following import BY_LAW, BallMotion, Followed, Segment, moduli
 from trimmer.proof.outcome import RefutedError, UndecidedError, require_time
 
-TERMS = 30
-"""Of Taylor's polynomials over a step."""
+TERMS = 30  # Of Taylor's polynomials over a step
 REACHED, LEAST = 4.0, 1e-5
 """How often the largest modulus of a state a size may be; share of all sizes below which it may be any."""
 
 
 @dataclass(frozen=True)
 class Piece:
-    """A step over a part of a segment.
+    """A step over a part of a segment."""
 
-    Attributes:
-        number: Of the segment.
-        begun: When it begins, s from the start of the motion.
-        duration: How long it is, s; negative for one that is followed backwards.
-        terms: Those of Z by powers of the share of it, 0 to 1, (N, terms).
-        off: How far their sum may be off, (N, 1).
-    """
-
-    number: int
-    begun: arb
-    duration: arb
-    terms: arb_mat
-    off: arb_mat
+    number: int  # Of the segment
+    begun: arb  # When it begins, s from the start of the motion
+    duration: arb  # How long it is, s; negative for one that is followed backwards
+    terms: arb_mat  # Those of Z by powers of the share of it, 0 to 1, (N, terms)
+    off: arb_mat  # How far their sum may be off, (N, 1)
 
     def of(self, rows: arb_mat) -> list[tuple[arb_poly, arb]]:
         """Return functionals (m, N) as polynomials, each with its largest error."""

@@ -19,12 +19,9 @@ from trimmer.proof.outcome import UndecidedError, require_time
 from trimmer.proof.pieces import Piece, pieces
 from trimmer.proof.statement import Functional, Table
 
-DIGITS = 15
-"""Of what is told."""
-FINE = 2.0**-56
-"""Share of the terms of a functional below which nothing is left to tell of an extreme."""
-Along = Callable[[arb], tuple[arb, arb]]
-"""A functional and its slope over a piece, by the share of it."""
+DIGITS = 15  # Of what is told
+FINE = 2.0**-56  # Share of the terms of a functional below which nothing is left to tell of an extreme
+Along = Callable[[arb], tuple[arb, arb]]  # A functional and its slope over a piece, by the share of it
 
 
 def readings(
@@ -72,23 +69,14 @@ def smallest(motion: BallMotion, over: Followed, function: int, free: tuple[int,
 
 @dataclass(frozen=True)
 class Reading:
-    """What was read of a functional so far.
+    """What was read of a functional so far."""
 
-    Attributes:
-        functional: As the file says it.
-        rows: It by Z, in the units, of each mode.
-        fine: What is fine enough of an extreme.
-        extremes: Its smallest and its largest value.
-        integrals: Of it and of its square.
-        passed: How long it was read, s.
-    """
-
-    functional: Functional
-    rows: list[arb_mat]
-    fine: arb
-    extremes: tuple[arb, arb]
-    integrals: tuple[arb, arb]
-    passed: arb
+    functional: Functional  # As the file says it
+    rows: list[arb_mat]  # It by Z, in the units, of each mode
+    fine: arb  # What is fine enough of an extreme
+    extremes: tuple[arb, arb]  # Its smallest and its largest value
+    integrals: tuple[arb, arb]  # Of it and of its square
+    passed: arb  # How long it was read, s
 
     @classmethod
     def of(cls, motion: BallMotion, functional: Functional, rows: list[arb_mat]) -> Reading:

@@ -33,21 +33,15 @@ from trimmer.proof.returning import (
 )
 from trimmer.proof.statement import StatedSpecialPoint
 
-PRECISION = 768
-"""Bits."""
-HALF = -200
-"""Power of two of half the length of the piece, as a share of the sizes."""
-NARROW = -280
-"""That of the balls at its ends, in which the signs are told."""
-TOUCH, WIDE = -32, -20
-"""For a grazing: half the length, in the number, and the balls of all motions on it."""
+PRECISION = 768  # Bits
+HALF = -200  # Power of two of half the length of the piece, as a share of the sizes
+NARROW = -280  # That of the balls at its ends, in which the signs are told
+TOUCH, WIDE = -32, -20  # For a grazing: half the length, in the number, and the balls of all motions on it
 MOST_SECANTS = 25
-WITHIN = 1e-6
-"""Distance from the value as it was computed, as a share of it: six digits."""
+WITHIN = 1e-6  # Distance from the value as it was computed, as a share of it: six digits
 BESIDE = 1e-5
 """Distance of its orbit from the computed one, as a share of the sizes: a multiplier near 1 costs digits."""
-TOLD = 1e-9
-"""Precision, relative, with which the value is told."""
+TOLD = 1e-9  # Precision, relative, with which the value is told
 
 
 def check_special_point(data: StatedSpecialPoint) -> str:
@@ -63,16 +57,11 @@ def check_special_point(data: StatedSpecialPoint) -> str:
 
 @dataclass
 class Branch:
-    """A branch near a special point, in planes across it.
+    """A branch near a special point, in planes across it."""
 
-    Attributes:
-        motion: The family.
-        plane: The plane of height 0.
-        test: What changes its sign, of a motion and its derivative on a plane.
-    """
-
-    motion: BallMotion
-    plane: Plane
+    motion: BallMotion  # The family
+    plane: Plane  # The plane of height 0
+    # What changes its sign, of a motion and its derivative on a plane
     test: Callable[[BallMotion, Followed, Plane], arb]
 
     def at(self, height: arb) -> Plane:

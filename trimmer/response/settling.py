@@ -21,43 +21,28 @@ from trimmer.response.sampled_rest import sampled_rest
 from trimmer.response.shooting import Patience, Return, sizes_of, solve
 from trimmer.response.solved import Solved, solved
 
-FIRST, LONGEST = 8, 128
-"""Drive periods before the first look at a motion, and at most between two looks."""
-KEPT = 256
-"""Drive periods that are kept for a look."""
-LONG_LOOK = 2048
-"""Drive periods over which a slow approach is measured."""
-MOST_REPEATS = 24
-"""The largest number of drive periods after which a motion is taken to repeat."""
-PATIENCE = Patience(iterations=12, halvings=4, followed=0)
-"""With which an orbit is looked for on the way."""
+FIRST, LONGEST = 8, 128  # Drive periods before the first look at a motion, and at most between two looks
+KEPT = 256  # Drive periods that are kept for a look
+LONG_LOOK = 2048  # Drive periods over which a slow approach is measured
+MOST_REPEATS = 24  # The largest number of drive periods after which a motion is taken to repeat
+PATIENCE = Patience(iterations=12, halvings=4, followed=0)  # With which an orbit is looked for on the way
 
 
 @dataclass(eq=False)
 class Settling:
-    """One motion, followed from its start.
+    """One motion, followed from its start."""
 
-    Attributes:
-        flow: The motion of the mechanism.
-        instant: Where it is.
-        known: Stable orbits that it may settle to; those found on the way are added.
-        states: At the start of each of the last drive periods, (count, n), shifted so that leaders are at 0.
-        periods: Drive periods that were followed.
-        ending: Why it cannot be followed further, if so.
-        solved: What it comes to, if it was seen that no event comes any more.
-        grows: Whether it was seen that no event comes any more and it grows for ever.
-        rest: Where it rests under samples that never return together.
-    """
-
-    flow: Flow
-    instant: Instant
+    flow: Flow  # The motion of the mechanism
+    instant: Instant  # Where it is
+    # Stable orbits that it may settle to; those found on the way are added
     known: list[Orbit] = field(default_factory=list)
+    # At the start of each of the last drive periods, (count, n), shifted so that leaders are at 0
     states: Reals = field(init=False)
-    periods: int = 0
-    ending: Ending = Ending.REACHED_END
-    solved: Solved | None = None
-    grows: bool = False
-    rest: Rest | None = None
+    periods: int = 0  # Drive periods that were followed
+    ending: Ending = Ending.REACHED_END  # Why it cannot be followed further, if so
+    solved: Solved | None = None  # What it comes to, if it was seen that no event comes any more
+    grows: bool = False  # Whether it was seen that no event comes any more and it grows for ever
+    rest: Rest | None = None  # Where it rests under samples that never return together
     _quiet: bool = True
 
     def __post_init__(self) -> None:
