@@ -179,10 +179,13 @@ def _failed(error: Exception) -> CellMotion:
 def _starts(flow: Flow, cell: Cell, settings: Settings) -> list[Instant]:
     if cell.orbits:
         return []
-    random = np.random.default_rng(np.random.SeedSequence((settings.seed, cell.number)))
-    scales = start_scales(flow)
-    others = [scales * random.uniform(-1.0, 1.0, flow.size) for _ in range(settings.starts - 1)]
-    return [flow.rest(), *(flow.at(state, stretched=False) for state in others)]
+    starts = [flow.rest()]
+    if settings.starts > 1:
+        random = np.random.default_rng(np.random.SeedSequence((settings.seed, cell.number)))
+        scales = start_scales(flow)
+        others = [scales * random.uniform(-1.0, 1.0, flow.size) for _ in range(settings.starts - 1)]
+        starts += [flow.at(state, stretched=False) for state in others]
+    return starts
 
 
 def start_scales(flow: Flow) -> Reals:

@@ -38,6 +38,8 @@ REPEATED = 1e-9
 """Difference that cannot be told from none."""
 COMPARED = 100
 """Drive periods over which a motion that has not settled is compared with a neighbour."""
+LOOK = 20
+"""Of which so many at a time, until the neighbour is far from it."""
 APART = 1e-9
 """Distance of the neighbour at first, relative to the sizes of the states."""
 SMALLEST = 1e-16
@@ -214,10 +216,10 @@ def beside(flow: Flow, every: Reals, before: Instant, end: Instant, compared: in
     """
     periods, states = len(every) - 1, every[-1 - compared :]
     sizes = strobed_sizes(states)
-    neighbour = flow.strobe(flow.at(before.state + APART * sizes, like=before), compared)
-    if neighbour.ending is not Ending.REACHED_END:
+    distances = _distances(flow, flow.at(before.state + APART * sizes, like=before), states, sizes)
+    if distances is None:
         return Settled(MotionKind.UNDECIDED, periods, end)
-    kind, exponent = _compared(states, flow.reduced(neighbour.states), sizes)
+    kind, exponent = _compared(states, distances)
     if kind is not MotionKind.TORUS and grows(flow, end, states, periods):
         return Settled(MotionKind.DIVERGING, OLDER * periods, end)
     follows = exponent is not None and exponent < 0 and not flow.modes.system.layout.recurrence
@@ -236,14 +238,40 @@ def strobed_sizes(states: Reals) -> Reals:
     return np.asarray(np.maximum(sizes, max(LEAST * float(sizes.max()), np.finfo(float).tiny)))
 
 
-def _compared(states: Reals, beside: Reals, sizes: Reals) -> tuple[MotionKind, float | None]:
+def _distances(flow: Flow, beside: Instant, states: Reals, sizes: Reals) -> Reals | None:
+    """Return how far a neighbour is from a motion at the start of each drive period, relative to the sizes.
+
+    Args:
+        flow: What moves.
+        beside: Where the neighbour begins.
+        states: The motion at the start of each drive period, (count, n).
+        sizes: Scale of each state, (n,).
+
+    Returns:
+        The distances up to the first one from which they do not grow like an exponential any more, or all,
+        (count,) at most; None if the neighbour cannot be followed so far.
+    """
+    found = np.full(len(states), APART)
+    for first in range(0, len(states) - 1, LOOK):
+        last = min(first + LOOK, len(states) - 1)
+        strobe = flow.strobe(beside, last - first)
+        if strobe.ending is not Ending.REACHED_END:
+            return None
+        apart = abs(flow.reduced(strobe.states) - states[first : last + 1]) / sizes
+        found[first : last + 1] = np.maximum(apart.max(axis=1), SMALLEST)
+        separate = np.flatnonzero(found[: last + 1] > SEPARATE)
+        if len(separate):
+            return np.asarray(found[: int(separate[0]) + 1])
+        beside = strobe.end
+    return found
+
+
+def _compared(states: Reals, distances: Reals) -> tuple[MotionKind, float | None]:
     """Return the kind of a motion that has not settled, and the growth of its distance per period."""
-    distances = np.maximum((abs(beside - states) / sizes).max(axis=1), SMALLEST)
-    separate = np.flatnonzero(distances > SEPARATE)
-    last = int(separate[0]) if len(separate) else len(distances) - 1
+    last = len(distances) - 1
     if last < 3:
         return MotionKind.UNDECIDED, None
-    exponent = float(np.polyfit(np.arange(last + 1), np.log(distances[: last + 1]), 1)[0])
+    exponent = float(np.polyfit(np.arange(last + 1), np.log(distances), 1)[0])
     growth = distances[last] / distances[0]
     if growth > GROWN and exponent * last > np.log(GROWN) / 2:
         return MotionKind.CHAOTIC, exponent

@@ -41,14 +41,17 @@ def grows(flow: Flow, end: Instant, states: Reals, age: int) -> bool:
     """
     block = min(BLOCK, len(states) // 4)
     younger = age - len(states) + block
-    if not block or younger < 1 or len(states) > age + 1 or flow.is_bounded:
+    if not block or younger < 1 or len(states) > age + 1:
         return False
     first, last = state_sizes(flow, states[:block]), state_sizes(flow, states[-block:])
     expected = 1 + SUSPECT * (age / younger - 1)
+    growing = (first > 0) & (last >= expected * first)
+    if not growing.any() or flow.is_bounded:
+        return False
     course = flow.course(end, 1)
     within = flow.reduced(course.states(np.linspace(0.0, course.duration, BLOCK))[:, : flow.size])
     # Where a motion passes by zero at the start of each period, rounding grows too.
-    growing = (first > 0) & (last >= expected * first) & (last > NEGLIGIBLE * state_sizes(flow, within))
+    growing &= last > NEGLIGIBLE * state_sizes(flow, within)
     if course.ending is not Ending.REACHED_END or not growing.any():
         return False
     strobe = flow.strobe(end, (OLDER - 1) * age)
