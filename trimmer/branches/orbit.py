@@ -14,7 +14,7 @@ from functools import cache, cached_property
 import numpy as np
 
 from trimmer.arrays import Complexes, Places, Reals
-from trimmer.branches.null_vector import null_vector
+from trimmer.branches.null_vector import normal_to
 from trimmer.branches.period_maps.period_map import Passage, PeriodMap
 from trimmer.errors import TrimmerError
 from trimmer.motion.part import Phase
@@ -111,13 +111,10 @@ class Place:
         if self.known is not None:
             return self._rescaled(self.known)
         try:
-            along = null_vector(self.slope)
-            turn = float(np.linalg.det(np.vstack([self.slope, along])))
-        except (np.linalg.LinAlgError, TrimmerError):
+            along, turn = normal_to(self.slope)
+        except TrimmerError:
             return None
-        if not turn:
-            return None
-        return along, turn
+        return (along, turn) if turn and math.isfinite(turn) else None
 
     def _rescaled(self, known: Place) -> tuple[Reals, float] | None:
         """Return the unit vector along the branch, and the determinant, of the same place in another scale.
