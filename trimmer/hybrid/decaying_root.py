@@ -13,8 +13,8 @@ import math
 
 from trimmer.arrays import Reals
 from trimmer.hybrid.compilation import compiled
-from trimmer.hybrid.first_root import NOWHERE, halve
-from trimmer.hybrid.linear_combination import any_below, copy
+from trimmer.hybrid.first_root import NOWHERE, halve, is_last
+from trimmer.hybrid.linear_combination import any_below, copy, unsigned
 
 UNSURE = -1.0
 """In place of a fraction of the step: shorter steps must decide."""
@@ -73,27 +73,33 @@ def _steepest_rise(bernstein: Reals, count: int) -> float:
 
 @compiled
 def _fallen(taylor: Reals, state: float, decay: float, low: float, high: float) -> float:
-    """Find the only zero of g(s) + state exp(-decay s) in an interval in which it falls (Newton)."""
-    point = low
+    """Find the only zero of g(s) + state exp(-decay s) in an interval in which it falls (Halley)."""
+    point, before = low, 0.0
     for _ in range(100):
         rest = state * math.exp(-decay * point)
-        value, slope = 0.0, 0.0
-        for k in range(taylor.size - 1, -1, -1):
+        value, slope, bend = 0.0, 0.0, 0.0
+        for k in range(taylor.size):
+            bend = bend * point + slope
             slope = slope * point + value
-            value = value * point + taylor[k]
+            value = value * point + taylor[unsigned(taylor.size - 1 - k)]
         value += rest
         slope -= decay * rest
+        bend += 0.5 * decay * decay * rest
         if value > 0.0:
             low = point
         elif value < 0.0:
             high = point
         else:
             break
-        following = point - value / slope if slope < 0.0 else high
-        if abs(following - point) <= 2.0**-52 * point:
+        divisor = slope * slope - value * bend
+        following = point - value * slope / divisor if slope < 0.0 < divisor else high
+        step = abs(following - point)
+        if is_last(step, before, point):
             point = min(max(following, low), high)
             break
+        before = step
         if not low < following < high:
+            before = 0.0
             following = 0.5 * (low + high)
         point = following
     return point

@@ -8,8 +8,8 @@ missed, however short the excursion, down to the rounding of the coefficients.
 from __future__ import annotations
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.compilation import compiled
-from trimmer.hybrid.linear_combination import any_below, copy
+from trimmer.hybrid.compilation import compiled, merged
+from trimmer.hybrid.linear_combination import any_below, copy, unsigned
 
 DEEPEST = 48
 """Halvings after which a minimum whose sign is not settled is taken as touching, not crossing."""
@@ -57,9 +57,19 @@ def halve(coefficients: Reals, count: int, left: Reals, right: Reals) -> None:
         left[level] = right[0]
 
 
+@merged
+def is_last(step: float, before: float, point: float) -> bool:
+    """Return whether a step of Halley's method to a zero is the last one, by the one before, 0 for none.
+
+    Steps shrink to the third power, so that both tell what the next one would be.
+    """
+    following = step * (step / before) ** 3 if before > 0.0 else step
+    return step <= 2.0**-52 * point or following <= 2.0**-56 * point
+
+
 @compiled
 def polished(bernstein: Reals, taylor: Reals, count: int, low: float, width: float) -> float:
-    """Find the zero of a polynomial that falls through zero once in an interval, by Newton's method.
+    """Find the zero of a polynomial that falls through zero once in an interval, by Halley's method.
 
     Args:
         bernstein: Bernstein coefficients on the interval, which give the first guess.
@@ -74,22 +84,27 @@ def polished(bernstein: Reals, taylor: Reals, count: int, low: float, width: flo
     drop = bernstein[place - 1] - bernstein[place]
     share = bernstein[place - 1] / drop if drop > 0.0 else 0.5
     point = low + width * (place - 1 + share) / (count - 1)
+    before = 0.0
     for _ in range(100):
-        value = 0.0
-        slope = 0.0
-        for k in range(count - 1, -1, -1):
+        value, slope, bend = 0.0, 0.0, 0.0
+        for k in range(count):
+            bend = bend * point + slope
             slope = slope * point + value
-            value = value * point + taylor[k]
+            value = value * point + taylor[unsigned(count - 1 - k)]
         if value > 0.0:
             low = point
         elif value < 0.0:
             high = point
         else:
             return point
-        following = point - value / slope if slope < 0.0 else -1.0
-        if abs(following - point) <= 2.0**-52 * point:
+        divisor = slope * slope - value * bend
+        following = point - value * slope / divisor if slope < 0.0 < divisor else -1.0
+        step = abs(following - point)
+        if is_last(step, before, point):
             return min(max(following, low), high)
+        before = step
         if not (low < following < high):
+            before = 0.0
             following = 0.5 * (low + high)
             if not (low < following < high):
                 return following

@@ -35,7 +35,7 @@ class Room(NamedTuple):
 
     Attributes:
         distances: Distances, (n, columns).
-        flow: A flow, (n, n).
+        flow: A flow over a fraction of a step, transposed, (n, N).
         power, other: A power of that of a step, and room for the next one, (n, n); empty in small systems.
         here, there: States before and after an event, (N,).
         before, after: Their rates, (N,).
@@ -57,7 +57,7 @@ def room_for(states: int, columns: int, size: int) -> Room:
     """Return room for distances of so many states, in an extended state of some size."""
     here, there, before, after = np.empty((4, size))
     terms, square = np.empty((DEGREE + 1) * size), (states if states >= LARGE else 0,) * 2
-    distances, flow = np.empty((states, columns)), np.empty((states, states))
+    distances, flow = np.empty((states, columns)), np.empty((states, size))
     powers = np.empty(square), np.empty(square)
     return Room(distances, flow, *powers, here, there, before, after, terms)
 
@@ -85,18 +85,6 @@ def _multiply(transposed: Reals, distances: Reals, result: Reals) -> None:
             if weight != 0.0:
                 for c in range(columns):
                     result[i, c] += weight * distances[j, c]
-
-
-@merged
-def _flow_of(series: Reals, terms: int, fraction: float, count: int, result: Reals) -> None:
-    """Write the flow over a fraction of a step, transposed, for the first ``count`` states."""
-    size = len(series)
-    for j in range(count):
-        for i in range(count):
-            result[j, i] = series[j, (terms - 1) * size + i]
-        for k in range(terms - 2, -1, -1):
-            for i in range(count):
-                result[j, i] = result[j, i] * fraction + series[j, k * size + i]
 
 
 @merged
@@ -189,7 +177,8 @@ def _go_on(tables: Tables, mode: int, duration: float, distances: Reals, room: R
     count, columns = distances.shape
     now, other = tables.settled[mode], room.distances
     steps, fraction, terms = parted(tables.step[now], tables.terms[now], duration)
-    _flow_of(tables.series[now], terms, fraction, count, room.flow)
+    for j in range(count):
+        evaluate_terms(tables.series[now, j], terms, fraction, room.flow[j])
     steps = _by_powers(tables.screen[now], steps, distances, room)
     for k in range(steps + 1):
         _multiply(tables.screen[now] if k < steps else room.flow, distances, other)

@@ -14,6 +14,7 @@ import numpy as np
 
 from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.compilation import compiled, kept, sources
+from trimmer.hybrid.linear_combination import unsigned
 from trimmer.hybrid.taylor import DEGREE, LEVELS, LONGEST_STEP, REMAINDER
 
 STEP = (REMAINDER * math.factorial(DEGREE + 1)) ** (1 / (DEGREE + 1))
@@ -115,14 +116,15 @@ def _growth(matrix: Reals, room: Reals) -> float:
 @compiled
 def _write_flow(terms: Reals, target: ModeTables) -> None:
     """Write the flow over a whole step, and the terms of its series side by side."""
-    size = terms.shape[1]
+    size = unsigned(terms.shape[1])
     for j in range(size):
         for i in range(size):
             target.screen[j, i] = 0.0
-        for k in range(COUNT - 1, -1, -1):
+        for k in range(COUNT):
+            place = unsigned(COUNT - 1 - k)  # The smallest terms first.
             for i in range(size):
-                target.screen[j, i] += terms[k, i, j]
-                target.series[j, k * size + i] = terms[k, i, j]
+                target.screen[j, i] += terms[place, i, j]
+                target.series[j, place * size + i] = terms[place, i, j]
 
 
 @compiled
@@ -142,13 +144,13 @@ def _expand(row: Reals, terms: Reals, taylor: Reals, sizes: Reals) -> None:
 def _write_screen(function: int, target: ModeTables) -> None:
     """Write the Bernstein coefficients of an event function beside those of the others."""
     size = len(target.screen)
-    first = size + function * COUNT
+    first = unsigned(size + function * COUNT)
     for j in range(size):
-        for i in range(COUNT):
+        for i in range(unsigned(COUNT)):
             target.screen[j, first + i] = 0.0
         for k in range(COUNT):
             value = target.taylor[function, j, k]
-            for i in range(k, COUNT if value != 0.0 else k):  # The matrix is triangular.
+            for i in range(unsigned(k), unsigned(COUNT if value != 0.0 else k)):  # The matrix is triangular.
                 target.screen[j, first + i] += value * target.bernstein_from_taylor[0, k, i]
 
 

@@ -6,7 +6,14 @@ from trimmer.arrays import Reals
 from trimmer.hybrid.compilation import inlined, merged
 from trimmer.hybrid.decaying_root import UNSURE, decaying_root
 from trimmer.hybrid.first_root import NOWHERE, ROUNDING, first_root
-from trimmer.hybrid.linear_combination import any_below, combine, within
+from trimmer.hybrid.linear_combination import (
+    all_above,
+    any_below,
+    combine,
+    combined_moduli,
+    unsigned,
+    within,
+)
 from trimmer.hybrid.sparse import Rows, coefficient, expand, modulus_of, write_terms
 from trimmer.hybrid.tables import Tables
 from trimmer.hybrid.taylor import DEGREE, MOST_ZEROS
@@ -98,27 +105,37 @@ def _look_ahead(  # noqa: PLR0913
 
 @merged
 def _glance(  # noqa: PLR0913
+    sizes: Reals,
     rows: Rows | None,
     mode: int,
     function: int,
     margin: float,
     known: int,
+    state: Reals,
     screened: Reals,
     terms: Reals,
     bernstein_from_taylor: Reals,
     taylor: Reals,
     bernstein: Reals,
 ) -> bool:
-    """Write the Bernstein coefficients of a function; say whether one is at most the margin, or no number."""
-    below = False
+    """Say whether an event function must be looked at: its Bernstein coefficients are written then.
+
+    So it is if one is at most the margin, or no number. What is known to be zero at the start, with the
+    first of its derivatives, rises from there if all further coefficients are greater than rounding.
+    """
     if rows is None:
-        first = terms.size // COUNT + function * COUNT
-        for i in range(COUNT):
-            bernstein[i] = screened[first + i]
-            below |= not screened[first + i] > margin
+        first, floor = terms.size // COUNT + function * COUNT, margin
+        if known > 0 and margin == 0.0:
+            size = combined_moduli(state, sizes[function, 0]) + combined_moduli(state, sizes[function, 1])
+            floor = ROUNDING * size
+        seen = known > 0 and margin > 0.0
+        seen |= not all_above(screened, first + known, first + COUNT, floor)
+        for i in range(unsigned(COUNT if seen else 0)):
+            bernstein[i] = screened[unsigned(first) + i]
     else:
-        below = expand(rows, mode, function, margin, known, terms, bernstein_from_taylor, taylor, bernstein)
-    return below
+        seen = known > 0
+        seen |= expand(rows, mode, function, margin, known, terms, bernstein_from_taylor, taylor, bernstein)
+    return seen
 
 
 @merged
@@ -160,10 +177,21 @@ def first_event(
         if at_start and owner >= 0:
             known = work.zeros[owner, tables.action[now, function]]
         work.touches[function] = NOWHERE
-        below = _glance(
-            rows, now, function, margin, known, work.screened, work.terms, matrices, taylor, bernstein
+        seen = _glance(
+            tables.sizes[now],
+            rows,
+            now,
+            function,
+            margin,
+            known,
+            state,
+            work.screened,
+            work.terms,
+            matrices,
+            taylor,
+            bernstein,
         )
-        if known > 0 or below:
+        if seen:
             _write_taylor(tables.taylor[now, function], rows, state, taylor)
             if margin > 0.0:
                 z, at_once = tables.decaying_state[owner], False

@@ -18,7 +18,7 @@ import numpy as np
 from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.clock import TICKED, Clock, carried, instant_of
 from trimmer.hybrid.compilation import compiled, kept, merged, sources
-from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms
+from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms, unsigned
 from trimmer.hybrid.propagation import (
     SEVERAL,
     Room,
@@ -126,8 +126,8 @@ def _push(
         if k == 0 or k == steps:
             combine(rates, series, most * size, terms)
             for term in range(most):
-                for i in range(size):
-                    terms[term * size + i] *= share * step / (term + 1)
+                for i in range(unsigned(size)):
+                    terms[unsigned(term * size) + i] *= share * step / (term + 1)
             evaluate_terms(terms, most, share, added)
         fly(screen, series, (1, 0.0, 1) if k < steps else (0, fraction, most), vector, terms)
         for i in range(size):
