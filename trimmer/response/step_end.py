@@ -144,7 +144,9 @@ def _end(
         return StepEnd(flow, course, False, lowest, highest, mean, settled)
     own = np.array(extremes(cycle.course, cycle.flow.outputs[output].signal))
     apart = [abs(each - (lowest, highest)).max() for each in (own, 2 * wanted - own[::-1])]
-    settled, mirrored = min(apart) <= ON_CYCLE * np.ptp(own), bool(apart[1] < apart[0])
+    nearest = ON_CYCLE * np.ptp(own)
+    # A cycle may be its own mirror image, of which rounding would choose either.
+    settled, mirrored = min(apart) <= nearest, bool(apart[0] > nearest >= apart[1])
     if settled:
         exact = cycle.measures.outputs[output].mean
         mean = 2 * wanted - exact if mirrored else exact
