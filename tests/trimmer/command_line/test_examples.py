@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.report.rendering.page_checks import MOST_TAB_STOPS, tab_stops, visited
 from trimmer.command_line.command import Command, Example
 from trimmer.command_line.help_text import WIDTH, epilog
 from trimmer.command_line.main import installed_commands, main
@@ -113,17 +114,25 @@ def test_the_help_shows_the_examples(capsys: pytest.CaptureFixture[str], command
 
 
 @pytest.mark.slow
+@pytest.mark.browser
 def test_the_examples_of_the_report_run(
-    tmp_path: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path,
+    capfd: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    request: pytest.FixtureRequest,
 ) -> None:
+    """They do, and Tab is not pressed too often on the whole page."""
     monkeypatch.chdir(tmp_path)
     opened: list[str] = []
     monkeypatch.setattr("webbrowser.open", opened.append)
     whole, chapter, compared = COMMANDS["report"].examples
     assert main(whole.arguments) == 0
     page = tmp_path / "build" / "report" / "report.html"
+    kept = page.rename(tmp_path / "whole.html").as_uri()
     (tmp_path / "claims.json").write_bytes(page.with_name("claims.json").read_bytes())
     assert main(compared.arguments) == 0
     assert ": 0 changed" in capfd.readouterr().out
     assert main(chapter.arguments) == 0
     assert opened == [page.as_uri()]
+    with visited(request.getfixturevalue("browser"), kept) as visit:  # begun after the builds, which fork
+        assert 100 < tab_stops(visit.page) <= MOST_TAB_STOPS
