@@ -175,5 +175,7 @@ def test_many_gaps_are_told_by_the_first_three_and_parts_are_taken_by_time(stamp
     part = recording.between(5.0, 19.0)
     assert [(each.start, each.values.size) for each in part.stretches] == [(5.0, 2), (8.0, 9), (18.0, 2)]
     assert part.gaps == recording.gaps
+    assert [each.start for each in recording.between(end=9.0).stretches] == [0.0, 8.0]
+    assert [each.start for each in recording.between(30.0).stretches] == [30.0, 41.0]
     with pytest.raises(ValueError, match="no sample lies"):
         recording.between(27.2, 28.8)
