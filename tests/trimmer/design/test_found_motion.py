@@ -11,7 +11,7 @@ import pytest
 from tests.trimmer.design.made import oscillator, oscillator_amplitude
 from trimmer import Mechanism, MotionKind, forced_orbit
 from trimmer.contact.flow import MechanismFlow
-from trimmer.design import HandArm, hand_arm_weighting
+from trimmer.design import HandArm, Measure, hand_arm_weighting
 from trimmer.design.found_motion import of_orbit, of_settled
 from trimmer.design.hand_arm import hand_arm_of_orbit, hand_arm_of_samples
 from trimmer.examples import example_text
@@ -70,6 +70,7 @@ def test_each_friction_has_the_times_at_which_it_sticks() -> None:
     sticking = sum(length for _, length in found.signals.sticking["blade"])
     assert sticking == pytest.approx(found.frictions["blade"].stick * found.period, abs=1e-12)
     assert found.frictions["brake"].stick == pytest.approx(1.0)
+    assert found.measure(Measure.WEAR_POWER, "blade") == found.frictions["blade"].power > 0.0
     touching = sum(length for _, length in found.signals.touching["bridge"])
     assert touching == pytest.approx(found.contacts["bridge"].share * found.period, rel=1e-9)
 
