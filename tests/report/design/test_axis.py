@@ -12,15 +12,18 @@ from report.design.markdown import to_markdown
 from report.design.origin import origin_of
 from report.design.pictures import pictures
 from report.design.report import DesignReport
+from report.design.words import kind_words
 from tests.quick import quick
 from tests.report.markdown_lines import markdown_lines
 from tests.trimmer.design.test_axis import AXIS
 from tests.trimmer.servos import SAMPLED, STICTION
-from trimmer import Mechanism, SerialRunner
+from trimmer import Mechanism, SerialRunner, forced_orbit
 from trimmer.design import DesignSettings, Study
 from trimmer.design.design_file import design_file_of_text
+from trimmer.design.found_motion import of_orbit
 from trimmer.design.linear import linear_states
 from trimmer.design.varied_places import varied_places
+from trimmer.examples import example_text
 
 
 def told(text: str) -> dict[str, str]:
@@ -41,6 +44,13 @@ def test_an_axis_that_hunts_is_told_so() -> None:
     assert "After it angle hunts by ±2.51 mrad, once in 893.4 ms." in step
     assert "Margins are of the loop opened where the controller acts" in pieces["linear"]
     assert "may" in pieces["linear"]
+
+
+def test_what_advances_is_told_with_its_advance() -> None:
+    feeder = Mechanism.from_toml_text(example_text("strip-feeder"))
+    motion = of_orbit(forced_orbit(feeder))
+    millimetres = 1e3 * motion.outputs["strip"].advance
+    assert f"up to an advance of strip by {millimetres:.0f}" in kind_words(motion)
 
 
 def test_an_axis_that_rests_is_told_so() -> None:
