@@ -387,20 +387,36 @@ class MechanismFlow(Flow):
         )
         return alike and np.array_equal(layout.frame.leading, own.frame.leading)
 
-    def set_free(self, statuses: tuple[int, ...], change: Reals) -> tuple[int, ...]:
-        """Return the statuses, with what a change of the state, (n,), tears out of stick.
+    def set_free(self, begin: Instant, change: Reals) -> tuple[int, ...]:
+        """Return the statuses at an instant, with what a change of the state, (n,), sets free.
 
-        One whose kinetic force is less than the static one may leave for good; stick is taken to hold.
+        What is just at its edge goes where the change leads. A friction whose kinetic force is less than the
+        static one may leave for good; stick is taken to hold.
         """
-        machine, free = self.modes.system.machine, list(statuses)
+        machine, free = self.modes.system.machine, list(begin.statuses)
         rates = machine.friction_rate[:, : len(change)]
         speeds, contacts = rates @ change, len(machine.stiffness)
         moves = abs(speeds) > DIFFERENT * (abs(rates) @ abs(change))
         for friction in np.flatnonzero(moves).tolist():
             drops = machine.static[friction] > machine.kinetic[friction]
-            if statuses[contacts + friction] == STICK and not drops:
+            if begin.statuses[contacts + friction] == STICK and not drops:
                 free[contacts + friction] = FORWARD if speeds[friction] > 0 else BACKWARD
+        ahead, behind = (self._beside(begin, each) for each in (change, -change))
+        # What is alike to both sides is far from its edge, and goes on as it is.
+        for place in (place for place in ahead if ahead[place] != behind[place]):
+            free[place] = ahead[place]
         return tuple(free)
+
+    def _beside(self, begin: Instant, change: Reals) -> dict[int, int]:
+        """Return statuses of contacts, curves and limits, by their place, beside an instant."""
+        machine, layout = self.modes.system.machine, self.modes.system.layout
+        forcing = layout.forcing_at(begin.phase, begin.periods * layout.period if layout.drifts else 0.0)
+        hold = self.modes[self.modes.number(begin.statuses)].hold
+        extended = hold @ np.concatenate([begin.state + change, forcing])
+        contacts, later = len(machine.stiffness), len(machine.stiffness) + len(machine.friction_rate)
+        touched = {each: self._contact(each, extended.copy(), True) for each in range(contacts)}
+        others = *segments_at(machine, extended), *limits_at(machine, extended)
+        return touched | dict(enumerate(others, later))
 
     @property
     def rubbing(self) -> tuple[str, ...]:

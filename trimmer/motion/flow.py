@@ -164,9 +164,9 @@ class Flow(ABC):
             each.name for each in other.parts
         ]
 
-    def set_free(self, statuses: tuple[int, ...], change: Reals) -> tuple[int, ...]:
-        """Return statuses, with what a change of the state, (n,), sets free that was held."""
-        return statuses
+    def set_free(self, begin: Instant, change: Reals) -> tuple[int, ...]:
+        """Return the statuses at an instant, with what a change of the state, (n,), sets free."""
+        return begin.statuses
 
     @property
     @abstractmethod

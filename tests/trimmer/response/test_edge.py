@@ -18,14 +18,16 @@ block = {{ mass = 1.0 }}
 [links]
 spring = {{ between = ["ground", "block"], stiffness = 100.0, damping = {damping} }}
 [stops]
-wall = {{ between = ["ground", "block"], stiffness = 1000.0, damping = 1.0, gap = {gap} }}
+wall = {{ between = ["ground", "block"], stiffness = 1000.0, damping = 1.0, gap = {gap}, law = "{law}" }}
 """
 FREE, HELD = (100.0, 0.5), (1100.0, 1.5)
 """Stiffness, N/m, and damping, N s/m, on both sides of the place where the wall begins."""
 
 
-def touching(frequency: float = 40.0, gap: float = 0.0, damping: float = 0.5) -> Mechanism:
-    text = TOUCHING.format(frequency=frequency, gap=gap, damping=damping)
+def touching(
+    frequency: float = 40.0, gap: float = 0.0, damping: float = 0.5, law: str = "relaxing"
+) -> Mechanism:
+    text = TOUCHING.format(frequency=frequency, gap=gap, damping=damping, law=law)
     return Mechanism.from_toml_text(text)
 
 
@@ -38,8 +40,10 @@ def moving(multipliers: np.ndarray) -> np.ndarray:
     return np.sort_complex(multipliers[abs(multipliers) > 1e-6])
 
 
-def test_a_block_that_just_touches_has_the_multipliers_of_either_side() -> None:
-    orbit = forced_orbit(touching())
+@pytest.mark.parametrize("guess", [None, {"block": (1e-3, 0.0)}])
+@pytest.mark.parametrize("law", ["relaxing", "truncated", "pulling"])
+def test_a_block_that_just_touches_has_the_multipliers_of_either_side(law: str, guess) -> None:
+    orbit = forced_orbit(touching(law=law), guess=guess)
     sides = [np.sort_complex(np.linalg.eigvals(flow(side, 1 / 40))) for side in (HELD, FREE)]
     assert orbit.one_sided
     assert orbit.edge.other_multipliers is not None
@@ -83,7 +87,7 @@ push = { on = "other", amplitude = 3.0 }
 def test_it_is_said_in_words_and_in_the_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """One block is shaken, and another rests where it just touches its wall."""
     file = tmp_path / "touching.toml"
-    file.write_text(TOUCHING.format(frequency=40.0, gap=0.0, damping=20.0) + SHAKEN)
+    file.write_text(TOUCHING.format(frequency=40.0, gap=0.0, damping=20.0, law="relaxing") + SHAKEN)
     assert main(["respond", str(file), "--json"]) == 0
     content = json.loads(capsys.readouterr().out)
     assert content["kind"] == "periodic"
