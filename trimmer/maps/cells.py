@@ -331,8 +331,10 @@ def same_motion(first: CellMotion, second: CellMotion) -> bool:
     if first.kind is MotionKind.PERIODIC or first.kind is MotionKind.REST:
         if first.period_count != second.period_count:
             return False
-        both_neutral = first.neutral and second.neutral
-        return of_one_size(first, second) if both_neutral else alike(first, second)
+        if not (first.neutral and second.neutral):
+            return alike(first, second)
+        at_rest = first.kind is MotionKind.REST  # What is told of its size is rounding.
+        return first.holding == second.holding if at_rest else of_one_size(first, second)
     return not (first.neutral and second.neutral) or of_one_size(first, second)
 
 
