@@ -89,6 +89,12 @@ def pytest_collection() -> Iterator[None]:
 
 
 @pytest.hookimpl(optionalhook=True)
+def pytest_xdist_auto_num_workers() -> int:
+    """Take one process more than there are processors: one of them waits for a browser for long."""
+    return (os.cpu_count() or 1) + 1
+
+
+@pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadFileScheduling | None:
     """Give the tests of a file, or of a folder of SHARING, to one process, as ``--dist loadfile`` does."""
     if config.getvalue("dist") != "loadfile":
