@@ -100,10 +100,11 @@ def test_an_unstable_orbit_that_no_simulation_settles_on_is_found_with_its_multi
         span, settings = (0.0, orbit.period), {"rtol": 1e-11, "atol": 1e-12, "max_step": 0.02}
         return np.asarray(scipy.integrate.solve_ivp(rates, span, begin, "DOP853", **settings).y[:, -1])
 
-    begin, steps = orbit.motion.state(0.0), 1e-3 * np.eye(3)
+    begin, steps = orbit.motion.state(0.0), 3e-3 * np.eye(3)
     assert end(begin) == pytest.approx(begin, abs=1e-7)
-    own = np.linalg.eigvals(np.array([end(begin + step) - end(begin - step) for step in steps]) / 2e-3)
-    assert sorted(own) == pytest.approx(sorted(orbit.multipliers.real), abs=1e-5)
+    own = np.linalg.eigvals(np.array([end(begin + step) - end(begin - step) for step in steps]) / 6e-3)
+    # An end is off by up to 1e-7 where a step goes over a corner, whatever rtol is.
+    assert sorted(own) == pytest.approx(sorted(orbit.multipliers.real), abs=1e-4)
 
 
 def test_what_is_not_known_is_told() -> None:
