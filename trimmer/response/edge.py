@@ -55,16 +55,17 @@ def edge_of(flow: Flow, course: Course, sizes: Reals) -> Edge | None:
     beside = Sides(_Beside(flow, course, sizes).end, len(sizes))
     if not beside.differ:
         return None
-    every = [beside.grown(each, DISTANCES[-1]) for each in np.eye(len(sizes))]
+    every = [beside.grown(each, DISTANCES[0]) for each in np.eye(len(sizes))]
     if any(one is None or other is None for one, other in every):
         return Edge(None)
     forward, backward = (np.array(columns).T for columns in zip(*every, strict=True))
     own: Reals = course.monodromy * sizes / sizes[:, None]
     scale = DIFFERENT * max(float(abs(own).max()), 1.0)
-    ahead, behind = (abs(each - own).max(axis=0) < scale for each in (forward, backward))
-    if not (ahead | behind).all() or not np.isfinite([forward, backward]).all():
+    ahead, behind = (abs(each - own).max(axis=0) for each in (forward, backward))
+    if not (np.minimum(ahead, behind) < scale).all() or not np.isfinite([forward, backward]).all():
         return Edge(None)
-    other = np.linalg.eigvals(np.where(ahead, backward, forward)).astype(complex)
+    # Where one column is much smaller than another, both sides are within that: the farther one is the other.
+    other = np.linalg.eigvals(np.where(ahead <= behind, backward, forward)).astype(complex)
     return Edge(other[np.argsort(-abs(other), kind="stable")])
 
 

@@ -31,6 +31,33 @@ def touching(
     return Mechanism.from_toml_text(text)
 
 
+BENT = """
+frequency = 40.0
+[bodies]
+block = { mass = 1.0 }
+[links]
+spring = { between = ["ground", "block"], curve = [[-1, -100], [0, 0], [1, 1100]], damping = 0.5 }
+"""
+LIMITED = """
+frequency = 40.0
+[bodies]
+block = { mass = 1.0 }
+[links]
+spring = { between = ["ground", "block"], stiffness = 100.0, damping = 0.5 }
+[outputs]
+place = { block = 1 }
+[controllers.axis]
+kind = "pid"
+measure = "place"
+acts = ["ground", "block"]
+reference = "path"
+kp = 100.0
+limit = 1.0
+[references]
+path = { step = 0.02 }
+"""
+
+
 def flow(side: tuple[float, float], duration: float) -> np.ndarray:
     """The closed form of the linear motion on a side."""
     return expm(duration * np.array([[0.0, 1.0], [-side[0], -side[1]]]))
@@ -52,6 +79,17 @@ def test_a_block_that_just_touches_has_the_multipliers_of_either_side(law: str, 
         min(max(abs(found[0] - sides[a]).max(), abs(found[1] - sides[1 - a]).max()) for a in (0, 1)) < 1e-5
     )  # differences over 1e-9 of what is known to 1e-16
     assert "rests on an edge" in orbit.message
+
+
+@pytest.mark.parametrize(("text", "rest", "stiffest"), [(BENT, 0.0, 1100.0), (LIMITED, 0.01, 200.0)])
+@pytest.mark.parametrize("aside", [1e-4, -1e-4])
+def test_so_has_one_at_a_knot_of_its_spring_or_with_its_control_at_the_limit(
+    text: str, rest: float, stiffest: float, aside: float
+) -> None:
+    orbit = forced_orbit(Mechanism.from_toml_text(text), guess={"block": (rest + aside, 0.0)})
+    sides = [np.sort_complex(np.linalg.eigvals(flow((k, 0.5), 1 / 40))) for k in (100.0, stiffest)]
+    found = [np.sort_complex(each) for each in (orbit.multipliers, orbit.edge.other_multipliers)]
+    assert min(abs(np.array(found) - each).max() for each in (sides, sides[::-1])) < 1e-5
 
 
 def test_where_a_disturbance_changes_sides_within_the_period_no_multipliers_are_claimed() -> None:
