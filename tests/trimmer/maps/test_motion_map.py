@@ -294,3 +294,27 @@ def test_what_meets_no_event_needs_no_patience() -> None:
     found = settled(linear_oscillator().with_value("links.spring.damping", 0.01), periods=40)
     assert found.kind is MotionKind.PERIODIC
     assert found.periods <= 40
+
+
+STAYING = """
+frequency = 20.0
+[bodies]
+block = { mass = 1.0 }
+[frictions]
+rub = { between = ["ground", "block"], force = 1.0 }
+[links]
+wire = { between = ["ground", "block"], stiffness = 1.0 }
+[stops]
+wall = { between = ["ground", "block"], stiffness = 1e3, gap = 0.01 }
+[forces]
+none = { on = "block", amplitude = 0.0 }
+"""
+
+
+def test_rests_of_friction_are_one_unless_other_parts_bear() -> None:
+    """A block stays wherever it stopped, free or pressed against its wall."""
+    block = Mechanism.from_toml_text(STAYING)
+    (cell,) = motion_map(block, {"frequency": [20.0]}, starts=12, runner=SerialRunner()).cells
+    assert [motion.kind for motion in cell.motions] == [MotionKind.REST] * 2
+    assert sorted(motion.states[0][0] > 0.01 for motion in cell.motions) == [False, True]
+    assert sum(motion.starts for motion in cell.motions) == 12
