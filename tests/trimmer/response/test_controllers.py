@@ -4,6 +4,7 @@ import control
 import numpy as np
 import pytest
 
+from tests.trimmer.response.mechanisms import example
 from trimmer import Mechanism, MotionKind, SerialRunner, follow, motion_map, respond, sample, simulate
 from trimmer.errors import UnsupportedMotionError
 from trimmer.uncertainty import SampleSettings, Scatter, Uncertainty, Uniform
@@ -129,6 +130,15 @@ def test_what_never_moves_rests_unless_its_integral_runs_on() -> None:
     assert held.rest.forces["axis"] == pytest.approx(0.04, abs=1e-15)
     (runs,) = respond(one(limit=0.04, more="tracking = inf")).motions
     assert runs.kind is MotionKind.DIVERGING and "integral of a controller runs on" in runs.message
+
+
+@pytest.mark.parametrize("billionths", [0.0, 756.0, 1329.0, 1330.0])
+def test_what_slides_into_its_rest_does_so_whichever_way_rounding_falls(billionths: float) -> None:
+    """Its velocity dies away, and as rounding stood for a slip: at these gains here, at 20 elsewhere."""
+    servo = example("two-mass-servo").with_value("controllers.axis.kp", 20.0 * (1.0 + 1e-9 * billionths))
+    found = respond(servo).motions[0]
+    assert found.kind is MotionKind.REST
+    assert found.rest.positions["load"] == pytest.approx(np.deg2rad(30.0), rel=1e-12)
 
 
 def test_a_sine_drives_and_a_linear_loop_answers_it_as_its_frequency_response_says() -> None:
