@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 
 from benchmarks.calibration import sentence
 from trimmer.contact.flow import MechanismFlow
-from trimmer.contact.statuses import FREE, RELAXING
+from trimmer.contact.machine.statuses import FREE, RELAXING
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.response.forced_orbit import forced_orbit
 from trimmer.response.respond import respond

@@ -4,8 +4,8 @@ All contacts have springs, so the state is continuous: displacements, velocities
 behind slots. Each part has a status, such as free or sliding forward; all statuses together are a mode.
 ``flow`` is the interface.
 
-``statuses`` names the statuses and events, ``layout`` the entries of the state, in a ``frame``; ``machine``
-turns a mechanism into arrays. ``assembly`` writes the equations of a mode and the event functions that end
-it, ``transitions`` says what follows them, and ``joint`` decides where several frictions are at rest
-together. ``system`` puts them together for ``trimmer.hybrid``.
+``state`` names the entries of the state, in a frame; ``machine`` turns a mechanism into arrays and names the
+statuses and events. ``modes`` writes the equations of a mode and the event functions that end it, says what
+follows them, decides where several frictions are at rest together, and puts all of this together for
+``trimmer.hybrid``; ``readouts`` reads the motion that comes of it. Imports go that way only.
 """

@@ -19,13 +19,13 @@ import numpy as np
 import scipy.linalg
 
 from trimmer.arrays import Complexes, Places, Reals
-from trimmer.contact.assembly import flow_without_stick
-from trimmer.contact.control_limits import first_control
-from trimmer.contact.curves import segments_at
 from trimmer.contact.flow import MechanismFlow
-from trimmer.contact.layout import Layout
-from trimmer.contact.statuses import ALWAYS, FORWARD, FREE, LOOSE, PLUS
-from trimmer.contact.statuses import WITHIN as UNLIMITED
+from trimmer.contact.machine.statuses import ALWAYS, FORWARD, FREE, LOOSE, PLUS
+from trimmer.contact.machine.statuses import WITHIN as UNLIMITED
+from trimmer.contact.modes.assembly import flow_without_stick
+from trimmer.contact.modes.control_limits import first_control
+from trimmer.contact.modes.curves import segments_at
+from trimmer.contact.state.layout import Layout
 from trimmer.hybrid.clock import WITHIN
 from trimmer.linear.margins import Margins, StandingStates, margins_of, standing_states
 from trimmer.mechanism.mechanism import Mechanism

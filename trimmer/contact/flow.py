@@ -10,26 +10,8 @@ from typing import Any
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.contact.assembly import force_of
-from trimmer.contact.control_limits import limits_at
-from trimmer.contact.curves import add_least_curves, segments_at
-from trimmer.contact.frame import Frame, frame_of
-from trimmer.contact.impacts import grazed_walls, impact_at
-from trimmer.contact.impulses import NEARLY, at_gap
-from trimmer.contact.joint import decide
-from trimmer.contact.machine import machine_of
-from trimmer.contact.outputs import forces_at, outputs_of
-from trimmer.contact.readouts import (
-    acceleration,
-    contact_measures,
-    friction_measures,
-    parts_of,
-    wall_measures,
-)
-from trimmer.contact.references import references_in, settled_references
-from trimmer.contact.sampled import SampledControllers
-from trimmer.contact.start_within_walls import require_within_walls
-from trimmer.contact.statuses import (
+from trimmer.contact.machine.machine import machine_of
+from trimmer.contact.machine.statuses import (
     ALWAYS,
     BACKWARD,
     CONTACT_MADE,
@@ -46,8 +28,26 @@ from trimmer.contact.statuses import (
     STICK,
     TRUNCATES,
 )
-from trimmer.contact.system import MechanismSystem
-from trimmer.contact.transitions import held_parts
+from trimmer.contact.modes.assembly import force_of
+from trimmer.contact.modes.control_limits import limits_at
+from trimmer.contact.modes.curves import add_least_curves, segments_at
+from trimmer.contact.modes.impulses import NEARLY, at_gap
+from trimmer.contact.modes.joint import decide
+from trimmer.contact.modes.system import MechanismSystem
+from trimmer.contact.modes.transitions import held_parts
+from trimmer.contact.readouts.impacts import grazed_walls, impact_at
+from trimmer.contact.readouts.outputs import forces_at, outputs_of
+from trimmer.contact.readouts.readouts import (
+    acceleration,
+    contact_measures,
+    friction_measures,
+    parts_of,
+    wall_measures,
+)
+from trimmer.contact.sampled import SampledControllers
+from trimmer.contact.start_within_walls import require_within_walls
+from trimmer.contact.state.frame import Frame, frame_of
+from trimmer.contact.state.references import references_in, settled_references
 from trimmer.hybrid.advance import Instant
 from trimmer.hybrid.affine_modes import Change, is_straight
 from trimmer.hybrid.system import ARRIVED, NO_STATE, STRUCK, ModeEquations, System
@@ -88,7 +88,7 @@ class MechanismFlow(Flow):
 
     @classmethod
     def returning(cls, mechanism: Mechanism) -> MechanismFlow:
-        """Return the motion in the frame in which it repeats, if it does: see ``trimmer.contact.frame``."""
+        """Return the motion in the frame in which it repeats, if it does: see ``contact.state.frame``."""
         mechanism = settled_references(mechanism)
         return cls(mechanism, frame_of(mechanism))
 

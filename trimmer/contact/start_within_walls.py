@@ -3,8 +3,8 @@
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.contact.impulses import NEARLY
-from trimmer.contact.system import MechanismSystem
+from trimmer.contact.modes.impulses import NEARLY
+from trimmer.contact.modes.system import MechanismSystem
 from trimmer.errors import MechanismError
 from trimmer.mechanism.kinds import kind_of_part
 from trimmer.mechanism.mechanism import Mechanism

@@ -6,8 +6,8 @@ from functools import partial
 
 import numpy as np
 
-from trimmer.contact.control_readouts import control_signal, largest_demand
 from trimmer.contact.flow import MechanismFlow
+from trimmer.contact.readouts.control_readouts import control_signal, largest_demand
 from trimmer.design.motion_signals import MotionSignals, signals_of
 from trimmer.design.targets import Measure, followers
 from trimmer.errors import UnsupportedMotionError

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.contact.readouts import acceleration
+from trimmer.contact.readouts.readouts import acceleration
 from trimmer.motion.course import Course
 from trimmer.motion.fourier import fourier
 from trimmer.motion.signals import along

@@ -6,10 +6,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from trimmer.arrays import Flags, Reals
-from trimmer.contact.assembly import PUSHING
-from trimmer.contact.outputs import contact_force
-from trimmer.contact.readouts import acceleration
-from trimmer.contact.statuses import STICK
+from trimmer.contact.machine.statuses import STICK
+from trimmer.contact.modes.assembly import PUSHING
+from trimmer.contact.readouts.outputs import contact_force
+from trimmer.contact.readouts.readouts import acceleration
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.signals import along, read, while_status

@@ -7,8 +7,8 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.contact.frame import frame_of
-from trimmer.contact.layout import curves_of
+from trimmer.contact.state.frame import frame_of
+from trimmer.contact.state.layout import curves_of
 from trimmer.errors import UnsupportedMotionError
 from trimmer.harmonics.contact import HarmonicContact
 from trimmer.harmonics.crossings import crossings

@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.contact.curve_forces import curve_forces
 from trimmer.contact.flow import MechanismFlow
-from trimmer.contact.statuses import STICK
+from trimmer.contact.machine.statuses import STICK
+from trimmer.contact.readouts.curve_forces import curve_forces
 from trimmer.hybrid.system import NOTHING
 from trimmer.mechanism.parts import OutputKind
 from trimmer.motion import measures as exact

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from trimmer.contact.statuses import IMPACT
+from trimmer.contact.machine.statuses import IMPACT
 from trimmer.hybrid.advance import Ending
 from trimmer.hybrid.calm import amid_longest
 from trimmer.hybrid.clock import ABOVE, BELOW, TICKED, WITHIN, Clock, carried

@@ -7,8 +7,8 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.contact.flow import MechanismFlow
-from trimmer.contact.impulses import first_wall
-from trimmer.contact.statuses import CONTACT_MADE, IMPACT, STICK
+from trimmer.contact.machine.statuses import CONTACT_MADE, IMPACT, STICK
+from trimmer.contact.modes.impulses import first_wall
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.signals import OwnValues, Readout, Signal, Steady, rate

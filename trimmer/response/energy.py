@@ -12,14 +12,14 @@ from typing import Any
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.contact.assembly import PUSHING, offset
-from trimmer.contact.control_readouts import control_signal
-from trimmer.contact.curve_forces import force_signal, stored_energy
-from trimmer.contact.friction_forces import hold_forces, undetermined
-from trimmer.contact.impacts import losses_at_walls, work_at_walls
-from trimmer.contact.layout import Rows
-from trimmer.contact.outputs import contact_force
-from trimmer.contact.statuses import RELAXING, STICK
+from trimmer.contact.machine.statuses import RELAXING, STICK
+from trimmer.contact.modes.assembly import PUSHING, offset
+from trimmer.contact.readouts.control_readouts import control_signal
+from trimmer.contact.readouts.curve_forces import force_signal, stored_energy
+from trimmer.contact.readouts.friction_forces import hold_forces, undetermined
+from trimmer.contact.readouts.impacts import losses_at_walls, work_at_walls
+from trimmer.contact.readouts.outputs import contact_force
+from trimmer.contact.state.layout import Rows
 from trimmer.mechanism import Mechanism, Play, Stop
 from trimmer.mechanism.coordinates import inertia_of, rows_of_structures, weights_of_ends
 from trimmer.motion.course import Course
@@ -44,7 +44,7 @@ class MechanismEnergy(Tabular):
         structures: Lost in each structure.
         controllers: Work of each controller.
         undetermined: Frictions on pins whose force in stick the motion leaves open at some time. The works of
-            these pins rest on how they share it (``trimmer.contact.friction_forces``); no other number does.
+            these pins rest on how they share it (``contact.readouts.friction_forces``); no other number does.
         residual: What does not close, as a share of the largest term.
     """
 

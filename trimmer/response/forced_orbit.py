@@ -135,6 +135,6 @@ def diverges_by_pull(subject: Subject) -> bool:
     """Say whether pins that go on for ever stretch springs without end, whatever else happens."""
     if not isinstance(subject, Mechanism):
         return False
-    from trimmer.contact.frame import frame_of
+    from trimmer.contact.state.frame import frame_of
 
     return frame_of(subject, without_stops=True).pulled

@@ -10,13 +10,13 @@ from numpy.typing import ArrayLike
 from trimmer.arguments import real_values
 from trimmer.arrays import Integers, Reals
 from trimmer.choices import Choice
-from trimmer.contact import statuses
-from trimmer.contact.curve_forces import curve_forces
 from trimmer.contact.flow import MechanismFlow
-from trimmer.contact.friction_forces import dry_forces, undetermined
-from trimmer.contact.layout import Rows
-from trimmer.contact.outputs import contact_force
-from trimmer.contact.readouts import event_rates
+from trimmer.contact.machine import statuses
+from trimmer.contact.readouts.curve_forces import curve_forces
+from trimmer.contact.readouts.friction_forces import dry_forces, undetermined
+from trimmer.contact.readouts.outputs import contact_force
+from trimmer.contact.readouts.readouts import event_rates
+from trimmer.contact.state.layout import Rows
 from trimmer.errors import MechanismError
 from trimmer.hybrid import system
 from trimmer.hybrid.advance import Ending

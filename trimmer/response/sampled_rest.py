@@ -7,7 +7,7 @@ comes to rest is solved for from one period and its derivative, and not waited f
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.contact.statuses import STICK
+from trimmer.contact.machine.statuses import STICK
 from trimmer.hybrid.advance import Ending, Instant
 from trimmer.motion.flow import Flow
 from trimmer.response.rest import Rest

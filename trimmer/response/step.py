@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from trimmer.arguments import require_instance
-from trimmer.contact.control_readouts import control_signal, largest_demand
 from trimmer.contact.flow import MechanismFlow
+from trimmer.contact.readouts.control_readouts import control_signal, largest_demand
 from trimmer.errors import MechanismError
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism import Mechanism, StepReference

@@ -15,7 +15,7 @@ from derivations.symbols import t
 from tests.mechanisms.random_mechanisms import with_every_part
 from tests.quick import quick
 from trimmer import simulate
-from trimmer.contact.statuses import MINUS, PLUS, RESTS, STICK
+from trimmer.contact.machine.statuses import MINUS, PLUS, RESTS, STICK
 from trimmer.in_symbols.mechanism import symbolic_mechanism
 
 MOST = 16  # Modes of a machine that are looked at

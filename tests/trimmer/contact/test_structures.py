@@ -14,7 +14,7 @@ from tests.quick import quick
 from tests.trimmer.contact.test_against_brute_force import compare
 from trimmer import Body, Force, Friction, Link, Mechanism, forced_orbit, simulate
 from trimmer.contact.flow import MechanismFlow
-from trimmer.contact.frame import frame_of
+from trimmer.contact.state.frame import frame_of
 from trimmer.hybrid.propagation import MANY_STEPS
 from trimmer.mechanism import LinearMatrices, ModalModel, Output, Pin, Point, Stop, Structure, linear_matrices
 

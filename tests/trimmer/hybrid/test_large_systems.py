@@ -11,7 +11,7 @@ import pytest
 from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Stop, UnsupportedMotionError
 from trimmer.arrays import Places, Reals
 from trimmer.contact.flow import MechanismFlow
-from trimmer.contact.system import MechanismSystem
+from trimmer.contact.modes.system import MechanismSystem
 from trimmer.hybrid.advance import Ending, advance
 from trimmer.hybrid.system import HOLD_BEGUN, EventFunction, ModeEquations
 from trimmer.hybrid.tables import Modes

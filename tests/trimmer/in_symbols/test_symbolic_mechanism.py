@@ -20,7 +20,7 @@ from tests.quick import examples
 from tests.trimmer.mechanism.mechanisms import mechanisms as mechanisms_with_any_names
 from tests.trimmer.mechanism_strategy import mechanisms
 from trimmer.code_generation import derive_mechanism_sources
-from trimmer.contact.machine import machine_of
+from trimmer.contact.machine.machine import machine_of
 from trimmer.generated import linear_trimmer
 from trimmer.in_symbols.mechanism import symbolic_mechanism
 from trimmer.in_symbols.printed_symbols import printed_symbols

@@ -5,7 +5,7 @@ import pytest
 
 from tests.trimmer.maps.machines import SQUARE_ROOT_OF_40, impact_oscillator, linear_oscillator
 from trimmer.contact.flow import MechanismFlow
-from trimmer.contact.statuses import CONTACT_MADE
+from trimmer.contact.machine.statuses import CONTACT_MADE
 from trimmer.maps.measures import of_orbit, of_window
 from trimmer.maps.settle import settle
 from trimmer.mechanism import Body, Friction, Link, Mechanism, Pin

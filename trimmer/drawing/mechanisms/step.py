@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from trimmer.contact.control_readouts import control_signal
+from trimmer.contact.readouts.control_readouts import control_signal
 from trimmer.drawing.axes import finish
 from trimmer.drawing.content import head, new_figure
 from trimmer.drawing.look import line, plain_label

@@ -8,9 +8,9 @@ resists with the latter once it breaks away; then all are decided again.
 import numpy as np
 
 from trimmer.arrays import Places, Reals
-from trimmer.contact.assembly import flow_without_stick
-from trimmer.contact.machine import Machine
-from trimmer.contact.statuses import BACKWARD, FORWARD, LOOSE, RESTS, STICK
+from trimmer.contact.machine.machine import Machine
+from trimmer.contact.machine.statuses import BACKWARD, FORWARD, LOOSE, RESTS, STICK
+from trimmer.contact.modes.assembly import flow_without_stick
 from trimmer.hybrid.dry_friction import complementary_forces
 from trimmer.hybrid.system import ARRIVED, EventFunction
 

@@ -6,11 +6,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from trimmer.arrays import Integers, Places, Reals
-from trimmer.contact.control_arrays import control_arrays
-from trimmer.contact.curve_arrays import curve_arrays
-from trimmer.contact.frame import Frame
-from trimmer.contact.layout import Layout, Rows, layout_of
-from trimmer.contact.statuses import FREE, PULLS, RELAXES, TRUNCATES
+from trimmer.contact.machine.control_arrays import control_arrays
+from trimmer.contact.machine.curve_arrays import curve_arrays
+from trimmer.contact.machine.statuses import FREE, PULLS, RELAXES, TRUNCATES
+from trimmer.contact.state.frame import Frame
+from trimmer.contact.state.layout import Layout, Rows, layout_of
 from trimmer.hybrid.system import NO_STATE
 from trimmer.mechanism import GROUND, ContactLaw, Mechanism, Play, Stop
 from trimmer.mechanism.coordinates import elastic_matrices

@@ -5,9 +5,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.contact.control_limits import first_control, limited
-from trimmer.contact.statuses import AT_LOWER, AT_UPPER
-from trimmer.contact.system import MechanismSystem
+from trimmer.contact.machine.statuses import AT_LOWER, AT_UPPER
+from trimmer.contact.modes.control_limits import first_control, limited
+from trimmer.contact.modes.system import MechanismSystem
 from trimmer.hybrid.clock import TICKED
 from trimmer.hybrid.tables import Modes
 from trimmer.motion.course import Course

@@ -7,11 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from trimmer.arrays import Places, Reals
-from trimmer.contact.control_limits import add_controls, functions_of_controls
-from trimmer.contact.curves import add_curves, functions_of_curves
-from trimmer.contact.impulses import first_wall
-from trimmer.contact.machine import Machine, free_springs, relaxing_springs
-from trimmer.contact.statuses import (
+from trimmer.contact.machine.machine import Machine, free_springs, relaxing_springs
+from trimmer.contact.machine.statuses import (
     ALWAYS,
     BROKEN,
     FORWARD,
@@ -29,6 +26,9 @@ from trimmer.contact.statuses import (
     RETURNED,
     STICK,
 )
+from trimmer.contact.modes.control_limits import add_controls, functions_of_controls
+from trimmer.contact.modes.curves import add_curves, functions_of_curves
+from trimmer.contact.modes.impulses import first_wall
 from trimmer.hybrid.dry_friction import elementary_vectors, independent
 from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, NO_STATE, STRUCK, EventFunction, ModeEquations
 

@@ -6,14 +6,14 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Integers, Places, Reals
-from trimmer.contact.assembly import Assembler, flow_without_stick
-from trimmer.contact.impulses import first_wall, impulse_of
-from trimmer.contact.joint import after_event
-from trimmer.contact.layout import Layout
-from trimmer.contact.machine import Machine
-from trimmer.contact.statuses import ACTIONS, IMPACT, IMPULSES, KIND_COUNT
-from trimmer.contact.transitions import transition
-from trimmer.contact.walls import strike
+from trimmer.contact.machine.machine import Machine
+from trimmer.contact.machine.statuses import ACTIONS, IMPACT, IMPULSES, KIND_COUNT
+from trimmer.contact.modes.assembly import Assembler, flow_without_stick
+from trimmer.contact.modes.impulses import first_wall, impulse_of
+from trimmer.contact.modes.joint import after_event
+from trimmer.contact.modes.transitions import transition
+from trimmer.contact.modes.walls import strike
+from trimmer.contact.state.layout import Layout
 from trimmer.hybrid.system import STRUCK, Clockwork, Decision, EventFunction, ModeEquations, Transition
 
 
@@ -92,7 +92,7 @@ class MechanismSystem:
     ) -> Decision:
         """Return what frictions and walls at rest do, or what follows an impact.
 
-        See ``trimmer.contact.joint.after_event`` and ``trimmer.contact.walls.strike``.
+        See ``trimmer.contact.modes.joint.after_event`` and ``trimmer.contact.modes.walls.strike``.
         """
         if function.action == STRUCK:
             wall = function.owner - first_wall(self.machine)

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.curves import curve_force, first_curve
+from trimmer.contact.modes.curves import curve_force, first_curve
 from trimmer.motion.signals import Steady, along
 
 if TYPE_CHECKING:
     from trimmer.arrays import Integers, Reals
-    from trimmer.contact.machine import Machine
-    from trimmer.contact.system import MechanismSystem
+    from trimmer.contact.machine.machine import Machine
+    from trimmer.contact.modes.system import MechanismSystem
     from trimmer.hybrid.tables import Modes
     from trimmer.motion.course import Course
     from trimmer.motion.signals import Signal

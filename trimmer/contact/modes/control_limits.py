@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.contact.statuses import ABOVE_LIMIT, AT_LOWER, AT_UPPER, BELOW_LIMIT, WITHIN
+from trimmer.contact.machine.statuses import ABOVE_LIMIT, AT_LOWER, AT_UPPER, BELOW_LIMIT, WITHIN
 from trimmer.hybrid.system import NOTHING, EventFunction, Transition
 
 if TYPE_CHECKING:
-    from trimmer.contact.machine import Machine
+    from trimmer.contact.machine.machine import Machine
 
 SIDES = {AT_UPPER: 1.0, AT_LOWER: -1.0}
 

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.impulses import first_wall
-from trimmer.contact.statuses import IMPACT, IMPULSES, RESTS
+from trimmer.contact.machine.statuses import IMPACT, IMPULSES, RESTS
+from trimmer.contact.modes.impulses import first_wall
 from trimmer.motion.extremes import extremes
 from trimmer.motion.signals import Steady, while_status
 

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.control_limits import first_control
+from trimmer.contact.modes.control_limits import first_control
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.contact.machine import Machine
+    from trimmer.contact.machine.machine import Machine
 
 NEARLY = 2.0**-44  # Share of the moduli of its terms below which a distance or a rate is zero
 

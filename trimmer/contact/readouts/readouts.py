@@ -2,15 +2,7 @@
 
 import numpy as np
 
-from trimmer.contact.assembly import PUSHING
-from trimmer.contact.control_readouts import parts_of_controls
-from trimmer.contact.curve_forces import curve_forces
-from trimmer.contact.curves import mirror_of
-from trimmer.contact.friction_forces import hold_forces
-from trimmer.contact.impacts import impact_at
-from trimmer.contact.impulses import first_wall
-from trimmer.contact.outputs import contact_force
-from trimmer.contact.statuses import (
+from trimmer.contact.machine.statuses import (
     ALWAYS,
     BACKWARD,
     COMPLETED,
@@ -25,7 +17,15 @@ from trimmer.contact.statuses import (
     RESTS,
     STICK,
 )
-from trimmer.contact.system import MechanismSystem
+from trimmer.contact.modes.assembly import PUSHING
+from trimmer.contact.modes.curves import mirror_of
+from trimmer.contact.modes.impulses import first_wall
+from trimmer.contact.modes.system import MechanismSystem
+from trimmer.contact.readouts.control_readouts import parts_of_controls
+from trimmer.contact.readouts.curve_forces import curve_forces
+from trimmer.contact.readouts.friction_forces import hold_forces
+from trimmer.contact.readouts.impacts import impact_at
+from trimmer.contact.readouts.outputs import contact_force
 from trimmer.hybrid.system import NOTHING
 from trimmer.hybrid.tables import Modes
 from trimmer.motion.course import Course

@@ -11,9 +11,9 @@ depend on the order of the parts.
 import numpy as np
 
 from trimmer.arrays import Integers, Places, Reals
-from trimmer.contact.assembly import flow_without_stick
-from trimmer.contact.statuses import FORWARD
-from trimmer.contact.system import MechanismSystem
+from trimmer.contact.machine.statuses import FORWARD
+from trimmer.contact.modes.assembly import flow_without_stick
+from trimmer.contact.modes.system import MechanismSystem
 from trimmer.hybrid.dry_friction import DEPENDENT, admissible_split, independent, least_shares
 from trimmer.hybrid.tables import Modes
 from trimmer.motion.course import Course

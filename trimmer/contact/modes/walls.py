@@ -2,7 +2,7 @@
 
 Where the gap of a wall is reached with the rate v > 0, an impulse of (1 + e) v / (w M⁻¹ wᵀ) on both ends
 makes the rate -e v. At rest it is a hold as stick is, with a force that is bounded on one side by zero: see
-``trimmer.contact.joint``. Several walls that are reached at one instant act one after the other.
+``trimmer.contact.modes.joint``. Several walls that are reached at one instant act one after the other.
 """
 
 from collections.abc import Iterator
@@ -11,13 +11,22 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Places, Reals
-from trimmer.contact.assembly import Assembler, stopped_at_walls
-from trimmer.contact.control_limits import first_control, limits_at
-from trimmer.contact.curves import first_curve, segments_at
-from trimmer.contact.impulses import NEARLY, at_gap, first_wall, impulse_of
-from trimmer.contact.joint import decide
-from trimmer.contact.machine import Machine
-from trimmer.contact.statuses import BACKWARD, COMPLETED, FORWARD, IMPACT, LOOSE, RESTS, STICK, TOGETHER
+from trimmer.contact.machine.machine import Machine
+from trimmer.contact.machine.statuses import (
+    BACKWARD,
+    COMPLETED,
+    FORWARD,
+    IMPACT,
+    LOOSE,
+    RESTS,
+    STICK,
+    TOGETHER,
+)
+from trimmer.contact.modes.assembly import Assembler, stopped_at_walls
+from trimmer.contact.modes.control_limits import first_control, limits_at
+from trimmer.contact.modes.curves import first_curve, segments_at
+from trimmer.contact.modes.impulses import NEARLY, at_gap, first_wall, impulse_of
+from trimmer.contact.modes.joint import decide
 from trimmer.hybrid.dry_friction import complementary_forces
 from trimmer.hybrid.system import ARRIVED, STRUCK, Decision, Impulse
 

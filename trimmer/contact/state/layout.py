@@ -17,9 +17,9 @@ import numpy as np
 from trimmer.arrays import Complexes, Places, Reals
 from trimmer.contact.controllers.held import Held, held_by
 from trimmer.contact.controllers.laws import laws_of
-from trimmer.contact.frame import SAME, Frame, frame_of, leans
-from trimmer.contact.profiles import SOON, Profile
-from trimmer.contact.references import profile_of, references_in
+from trimmer.contact.state.frame import SAME, Frame, frame_of, leans
+from trimmer.contact.state.profiles import SOON, Profile
+from trimmer.contact.state.references import profile_of, references_in
 from trimmer.mechanism.controls.references import RampReference, SineReference, StepReference
 from trimmer.mechanism.coordinates import Inertia, inertia_of, radius_of, shaken_ends, weights_of_ends
 from trimmer.mechanism.drives import Drives, drive_frequency, drives_of, sines_in, waves_in, waves_of_sine

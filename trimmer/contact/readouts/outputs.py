@@ -6,12 +6,12 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.contact.assembly import PUSHING, force_of
-from trimmer.contact.control_readouts import control_signal
-from trimmer.contact.curve_forces import force_signal as curve_signal
-from trimmer.contact.friction_forces import hold_forces, rows_in_mode
-from trimmer.contact.layout import Layout, Rows
-from trimmer.contact.system import MechanismSystem
+from trimmer.contact.modes.assembly import PUSHING, force_of
+from trimmer.contact.modes.system import MechanismSystem
+from trimmer.contact.readouts.control_readouts import control_signal
+from trimmer.contact.readouts.curve_forces import force_signal as curve_signal
+from trimmer.contact.readouts.friction_forces import hold_forces, rows_in_mode
+from trimmer.contact.state.layout import Layout, Rows
 from trimmer.hybrid.tables import Modes
 from trimmer.mechanism import Mechanism, Output
 from trimmer.mechanism.parts import OutputKind

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.contact.statuses import ABOVE_KNOT, BELOW_KNOT
+from trimmer.contact.machine.statuses import ABOVE_KNOT, BELOW_KNOT
 from trimmer.hybrid.system import NOTHING, EventFunction, Transition
 
 if TYPE_CHECKING:
-    from trimmer.contact.machine import Machine
+    from trimmer.contact.machine.machine import Machine
 
 
 def first_curve(machine: Machine) -> int:

@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
-from trimmer.contact.frame import Frame
-from trimmer.contact.profiles import Profile
+from trimmer.contact.state.frame import Frame
+from trimmer.contact.state.profiles import Profile
 from trimmer.mechanism import Mechanism, Reference
 from trimmer.mechanism.controls.references import ProfileReference, RampReference, StepReference
 

@@ -6,10 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.control_limits import beyond_limit
-from trimmer.contact.curves import beyond_knot
-from trimmer.contact.impulses import first_wall, impulse_of
-from trimmer.contact.statuses import (
+from trimmer.contact.machine.statuses import (
     ABOVE_KNOT,
     ABOVE_LIMIT,
     BACKWARD,
@@ -36,6 +33,9 @@ from trimmer.contact.statuses import (
     RETURNED,
     STICK,
 )
+from trimmer.contact.modes.control_limits import beyond_limit
+from trimmer.contact.modes.curves import beyond_knot
+from trimmer.contact.modes.impulses import first_wall, impulse_of
 from trimmer.hybrid.system import (
     ARRIVED,
     AT_LIMIT,
@@ -48,7 +48,7 @@ from trimmer.hybrid.system import (
 )
 
 if TYPE_CHECKING:
-    from trimmer.contact.machine import Machine
+    from trimmer.contact.machine.machine import Machine
     from trimmer.hybrid.system import EventFunction
 
 
