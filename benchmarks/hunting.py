@@ -19,7 +19,7 @@ from trimmer.arrays import Reals
 from trimmer.maps.cells import described
 from trimmer.maps.motion_map import motion_map
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.response.simulate import simulate
+from trimmer.response.simulation.simulate import simulate
 from trimmer.runners.runner import SerialRunner
 
 EXAMPLES = Path(__file__).parents[1] / "examples"

@@ -18,8 +18,8 @@ from trimmer.contact.machine.statuses import FREE, RELAXING
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.response.forced_orbit import forced_orbit
 from trimmer.response.respond import respond
-from trimmer.response.response_json import response_json
-from trimmer.response.simulate import simulate
+from trimmer.response.results.response_json import response_json
+from trimmer.response.simulation.simulate import simulate
 
 TWIN = Mechanism.from_toml(Path(__file__).parents[1] / "examples" / "thesis-play.toml").with_value(
     "frictions.blade.force", 1.0

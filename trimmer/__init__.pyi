@@ -64,11 +64,11 @@ from .orbits.periodic_orbits import periodic_orbits as periodic_orbits
 from .orbits.search import OrbitSearch as OrbitSearch
 from .parameters import TrimmerParameters as TrimmerParameters
 from .response.forced_orbit import forced_orbit as forced_orbit
-from .response.motion import MechanismMotion as MechanismMotion
 from .response.respond import respond as respond
-from .response.response import MotionKind as MotionKind
-from .response.response import Response as Response
-from .response.simulate import simulate as simulate
+from .response.results.response import MotionKind as MotionKind
+from .response.results.response import Response as Response
+from .response.simulation.motion import MechanismMotion as MechanismMotion
+from .response.simulation.simulate import simulate as simulate
 from .runners.runner import SerialRunner as SerialRunner
 from .signals.convert import convert as convert
 from .signals.faults import faults as faults

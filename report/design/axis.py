@@ -15,7 +15,7 @@ from trimmer.design.targets import OF_STEP, Measure, unit_of_measure
 from trimmer.linear.margins import Margins
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.messages import listed
-from trimmer.response.response import MotionKind
+from trimmer.response.results.response import MotionKind
 
 Rows = list[list[str]]
 MEASURES = {

@@ -26,7 +26,7 @@ from trimmer.design.targets import Measure, unit_of_measure
 from trimmer.design.trial import MeasureOfPart, all_measures
 from trimmer.mechanism.kinds import Kind
 from trimmer.messages import listed
-from trimmer.response.response import MotionKind
+from trimmer.response.results.response import MotionKind
 
 MEASURES = 4  # Measures whose influences are drawn
 

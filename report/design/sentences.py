@@ -10,7 +10,7 @@ from report.pages.escaping import Markdown, code, markdown
 from trimmer.design import Design, Oddity, OutputSpectrum, Question, Stage
 from trimmer.mechanism.kinds import Kind
 from trimmer.messages import listed
-from trimmer.response.response import MotionKind
+from trimmer.response.results.response import MotionKind
 
 
 def places_listed(places: Iterable[str]) -> str:

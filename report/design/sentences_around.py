@@ -18,8 +18,8 @@ from trimmer.design.sensitivity import Sensitivity
 from trimmer.design.targets import Measure
 from trimmer.design.trial import MeasureOfPart
 from trimmer.maps.cells import described
-from trimmer.response.pace import period_word
-from trimmer.response.response import MotionKind
+from trimmer.response.periodic.pace import period_word
+from trimmer.response.results.response import MotionKind
 
 
 def map_sentences(drawn: DesignMap, switched: bool, stepped: bool = False) -> str:

@@ -14,8 +14,8 @@ from report.pages.explorable import Panel, Slider
 from trimmer.design import Design, DesignFile, Measure, Target
 from trimmer.design.solved_grid import GridMotion, SolvedGrid
 from trimmer.messages import listed
-from trimmer.response.pace import DRIVE_PERIOD, period_word
-from trimmer.response.response import MotionKind
+from trimmer.response.periodic.pace import DRIVE_PERIOD, period_word
+from trimmer.response.results.response import MotionKind
 
 LEVELS = 999  # Steps between the least and the largest value of a curve: finer than a line is wide
 DIGITS = 4  # Digits to which values are kept

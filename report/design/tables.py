@@ -31,7 +31,7 @@ from trimmer.design.targets import Measure, unit_of_measure
 from trimmer.design.trial import all_measures
 from trimmer.mechanism.parts import COUPLINGS
 from trimmer.messages import listed
-from trimmer.response.pace import DRIVE_PERIOD
+from trimmer.response.periodic.pace import DRIVE_PERIOD
 
 Rows = list[list[str]]
 DASH = "—"

@@ -13,7 +13,7 @@ from trimmer.design.surroundings import SPEEDS, Around, Beside, Condition
 from trimmer.design.targets import OF_CLOSING, Measure, Target
 from trimmer.design.verdict import NEAR, DesignOutcome, JudgedTarget, Sureness
 from trimmer.messages import listed
-from trimmer.response.response import MotionKind
+from trimmer.response.results.response import MotionKind
 
 COUNTS = (
     "no",

@@ -10,7 +10,7 @@ from scripts.doors import insides, wrong
 @pytest.mark.parametrize(
     ("source", "found"),
     [
-        ("from trimmer.response.shooting import _settled", ["imports the private _settled"]),
+        ("from trimmer.response.periodic.shooting import _settled", ["imports the private _settled"]),
         ("import report._hidden.thing", ["imports the private _hidden"]),
         ("import trimmer\ntrimmer.simulate.__wrapped__", []),
         ("import trimmer\ntrimmer._table", ["takes the private _table"]),

@@ -25,10 +25,10 @@ from trimmer.motion.subject import Subject
 from trimmer.response.by_itself.orbit_by_itself import orbit_by_itself
 from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.forced_orbit import exact_orbit, require_repeating
-from trimmer.response.orbit import NEUTRAL, Orbit
-from trimmer.response.pace import pace_of, periods_of
+from trimmer.response.periodic.orbit import NEUTRAL, Orbit
+from trimmer.response.periodic.pace import pace_of, periods_of
 from trimmer.response.respond import respond
-from trimmer.response.settling import orbit_from_rest
+from trimmer.response.settling.settling import orbit_from_rest
 from trimmer.response.starts import instant_of
 
 

@@ -24,8 +24,8 @@ from trimmer.mechanism.place_text import parse_place, place_text, unit_of
 from trimmer.motion.chosen import chosen_measure
 from trimmer.motion.measures import Measures
 from trimmer.response.flows import flow_of
-from trimmer.response.orbit import with_shifts
-from trimmer.response.pace import periods_of
+from trimmer.response.periodic.orbit import with_shifts
+from trimmer.response.periodic.pace import periods_of
 from trimmer.showing.drawn import Drawn, drawn
 from trimmer.showing.shown import Shown, Tabular, counted
 from trimmer.showing.table import Column, Table

@@ -30,7 +30,7 @@ from trimmer.messages import near_or_all
 if TYPE_CHECKING:
     from trimmer.loops.motion import LoopMotion
     from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.response.motion import MechanismMotion
+    from trimmer.response.simulation.motion import MechanismMotion
     from trimmer.signals.signal import Signal
 
 MOST_SAMPLES = 50_000_000  # Samples of a signal that still fit into memory with room to spare

@@ -16,13 +16,13 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures, OutputMeasures
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-from trimmer.response.closings import Closing
-from trimmer.response.estimate import Estimate
-from trimmer.response.orbit import Orbit
-from trimmer.response.pace import DRIVE_PERIOD, period_word
-from trimmer.response.response import MotionKind, SettledMotion
-from trimmer.response.step import StepResponse
-from trimmer.response.switching import switching
+from trimmer.response.periodic.orbit import Orbit
+from trimmer.response.periodic.pace import DRIVE_PERIOD, period_word
+from trimmer.response.results.response import MotionKind, SettledMotion
+from trimmer.response.simulation.closings import Closing
+from trimmer.response.simulation.switching import switching
+from trimmer.response.statistics.estimate import Estimate
+from trimmer.response.step.step import StepResponse
 
 WINDOW = 96  # Drive periods over which a motion is measured that does not repeat
 SAMPLES = 256  # Samples per drive period of the acceleration of such a motion

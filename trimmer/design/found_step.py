@@ -16,7 +16,7 @@ from trimmer.mechanism import Mechanism, StepReference
 from trimmer.motion.signals import along
 from trimmer.motion.step_measures import Step, StepMeasures, step_measures
 from trimmer.response import MotionKind, Response, StepResponse, step_response
-from trimmer.response.step_end import StepEnd, followed
+from trimmer.response.step.step_end import StepEnd, followed
 
 ROUNDING = 1e-9  # Share of the step below which a final error is rounding, or what is left of the way to rest
 

@@ -15,7 +15,7 @@ from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
 from trimmer.maps.measures import Measures
 from trimmer.maps.result import MotionMap
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.response.response import MotionKind
+from trimmer.response.results.response import MotionKind
 from trimmer.runners.runner import Runner
 
 Told = Callable[[int, int], None]  # Is told how many rows of how many are done

@@ -21,10 +21,10 @@ from trimmer.maps.motion_map import motion_map
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.response.flows import flow_of
 from trimmer.response.forced_orbit import diverges_by_pull, exact_orbit
-from trimmer.response.orbit import Orbit
+from trimmer.response.periodic.orbit import Orbit
 from trimmer.response.respond import respond
-from trimmer.response.response import MotionKind
-from trimmer.response.same import same_orbit
+from trimmer.response.results.response import MotionKind
+from trimmer.response.results.same import same_orbit
 from trimmer.runners.runner import Runner
 
 PACE = 24  # Drive periods over which the pace is measured

@@ -22,8 +22,8 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.signals import read
 from trimmer.response.flows import flow_of
-from trimmer.response.response import MotionKind
-from trimmer.response.switching import switching
+from trimmer.response.results.response import MotionKind
+from trimmer.response.simulation.switching import switching
 from trimmer.runners.runner import Runner
 
 MOST_NUMBERS = 3  # Numbers that can be moved at most

@@ -7,7 +7,7 @@ from enum import Enum
 from trimmer.design.found_motion import FoundMotion
 from trimmer.design.linear import LinearMode, LinearState
 from trimmer.mechanism.linear.outputs import Contacts
-from trimmer.response.pace import DRIVE_PERIOD
+from trimmer.response.periodic.pace import DRIVE_PERIOD
 
 SMALLEST = 1e-4  # Amplitude of a line, relative to the largest, from which on it is listed
 MOST_LINES = 24  # Lines that are listed of an output, the largest

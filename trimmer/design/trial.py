@@ -30,8 +30,8 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of
-from trimmer.response.response import MotionKind
-from trimmer.response.switching import Switching, switching
+from trimmer.response.results.response import MotionKind
+from trimmer.response.simulation.switching import Switching, switching
 
 _SECTIONS = {
     Measure.STROKE: "outputs",

@@ -8,7 +8,7 @@ from trimmer.design.motions import Motions
 from trimmer.design.ranges import RangeStudy
 from trimmer.design.surroundings import Around
 from trimmer.design.targets import Measure, Target
-from trimmer.response.response import MotionKind
+from trimmer.response.results.response import MotionKind
 
 NEAR = 0.02  # Distance from a bound, as a share of it, that counts as near
 

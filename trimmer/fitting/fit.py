@@ -163,7 +163,7 @@ def _check(subject: Subject, measured: Mapping[str, Signal]) -> None:
 
 
 def _nothing_found(misfit: Misfit, settings: FitSettings) -> str:
-    from trimmer.response.settling import orbit_from_rest
+    from trimmer.response.settling.settling import orbit_from_rest
 
     subject = misfit.model.subject
     if misfit.model.by_itself:

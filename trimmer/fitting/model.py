@@ -15,9 +15,9 @@ from trimmer.motion.signals import read
 from trimmer.motion.subject import Subject
 from trimmer.response.by_itself.orbit_by_itself import orbit_by_itself
 from trimmer.response.flows import flow_of
-from trimmer.response.orbit import Orbit, orbit_of
-from trimmer.response.settling import Settling
-from trimmer.response.shooting import Patience, Return, solve
+from trimmer.response.periodic.orbit import Orbit, orbit_of
+from trimmer.response.periodic.shooting import Patience, Return, solve
+from trimmer.response.settling.settling import Settling
 
 SETTLED_WITHIN = 400  # Drive periods in which a motion has to settle from its start
 GOES_ON = 48  # Drive periods in which it has to settle again where it has lost its stability, or has vanished

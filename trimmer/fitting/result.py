@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from trimmer.fitting.weak import WeakDirection
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.motion.subject import Subject
-    from trimmer.response.orbit import Orbit
+    from trimmer.response.periodic.orbit import Orbit
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from trimmer.maps.result import MotionMap, place_columns
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.messages import listed, near_match
 from trimmer.response.flows import require_subject
-from trimmer.response.pace import periods_of
+from trimmer.response.periodic.pace import periods_of
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Column, Table

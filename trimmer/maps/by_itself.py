@@ -12,8 +12,8 @@ from trimmer.maps.measures import Measures, chosen, of_orbit, of_window
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.response.by_itself.self_excited import STRETCHES, self_excited
-from trimmer.response.orbit import Orbit
-from trimmer.response.response import MotionKind
+from trimmer.response.periodic.orbit import Orbit
+from trimmer.response.results.response import MotionKind
 
 RETURNS = 128  # Returns, at most, over which a motion is measured that does not repeat
 

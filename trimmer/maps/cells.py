@@ -25,11 +25,11 @@ from trimmer.motion.subject import Subject
 from trimmer.motion.time_scale import time_scale
 from trimmer.one_orbit import LEAST_KNOWN, SAME, ClosedCurve, are_one
 from trimmer.response.flows import flow_of
-from trimmer.response.linear_lines import LinearLines
-from trimmer.response.linear_motion import LinearMotion
-from trimmer.response.orbit import Orbit
-from trimmer.response.response import MotionKind
-from trimmer.response.shooting import CLOSED, sizes_of
+from trimmer.response.periodic.orbit import Orbit
+from trimmer.response.periodic.shooting import CLOSED, sizes_of
+from trimmer.response.results.response import MotionKind
+from trimmer.response.without_events.linear_lines import LinearLines
+from trimmer.response.without_events.linear_motion import LinearMotion
 
 FIRST_SCALE = 2.0
 """How far random starts of a loop go, in what its states reach from rest."""

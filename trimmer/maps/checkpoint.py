@@ -19,7 +19,7 @@ from trimmer.maps.inputs import FORMAT, MapInputs, varied
 from trimmer.maps.measures import Measures
 from trimmer.motion.flow import Flow
 from trimmer.response.flows import flow_of
-from trimmer.response.response import MotionKind
+from trimmer.response.results.response import MotionKind
 from trimmer.runners.record_file import RecordFile, appended, cut
 from trimmer.sizes import LARGEST
 

@@ -14,7 +14,7 @@ from trimmer.maps.cells import Cell, CellMotion, CellResult, CellWork, alike, sa
 from trimmer.maps.motion_map import FEW
 from trimmer.maps.result import MotionMap, place_columns
 from trimmer.progress import progress_bar
-from trimmer.response.response import MotionKind
+from trimmer.response.results.response import MotionKind
 from trimmer.runners import ProcessRunner, Runner, SerialRunner
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table

@@ -16,7 +16,7 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import require_subject
-from trimmer.response.pace import periods_of
+from trimmer.response.periodic.pace import periods_of
 
 _Subject = TypeVar("_Subject", bound="Subject")
 FORMAT = 1  # Version of the format of files

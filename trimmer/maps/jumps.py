@@ -9,7 +9,7 @@ import numpy as np
 
 from trimmer.hybrid.advance import Instant
 from trimmer.maps.plateau import Plateau
-from trimmer.response.response import MotionKind
+from trimmer.response.results.response import MotionKind
 
 LEAST = 0.05  # Least change of a stroke, as a share of the largest one, that may be a jump
 HALVINGS = 3  # How often a step with such a change is halved

@@ -21,8 +21,8 @@ from trimmer.motion.course import Course
 from trimmer.motion.extremes import extremes
 from trimmer.motion.flow import Flow
 from trimmer.motion.signals import Steady
-from trimmer.response.linear_lines import LinearLines
-from trimmer.response.linear_motion import LinearMotion
+from trimmer.response.without_events.linear_lines import LinearLines
+from trimmer.response.without_events.linear_motion import LinearMotion
 
 SAMPLES = 128  # Samples per drive period of a window, beside its events
 

@@ -16,7 +16,7 @@ from trimmer.motion.chosen import chosen_measure
 from trimmer.progress import progress_bar
 from trimmer.response.by_itself.self_excited import STRETCHES
 from trimmer.response.flows import flow_of, require_subject
-from trimmer.response.pace import pace_of
+from trimmer.response.periodic.pace import pace_of
 from trimmer.runners import ProcessRunner, Runner, SerialRunner
 
 if TYPE_CHECKING:

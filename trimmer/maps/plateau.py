@@ -12,8 +12,8 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures, OutputMeasures
 from trimmer.motion.signals import read
-from trimmer.response.recurrence import NEAR, has_returned
-from trimmer.response.response import MotionKind
+from trimmer.response.results.response import MotionKind
+from trimmer.response.settling.recurrence import NEAR, has_returned
 
 ORDERS = 10  # Multiples of the drive up to which a spectrum goes
 SAMPLES = 64  # Samples of a drive period, for the spectrum

@@ -15,7 +15,7 @@ from trimmer.maps.cells import described, waited_for
 from trimmer.mechanism.place_text import parse_place, unit_of
 from trimmer.motion.chosen import chosen_measure
 from trimmer.response.flows import called, flow_of
-from trimmer.response.response import MotionKind
+from trimmer.response.results.response import MotionKind
 from trimmer.showing.drawn import Drawn, drawn
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Column, Table

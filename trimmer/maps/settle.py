@@ -17,14 +17,14 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.hybrid.advance import Ending, Instant
 from trimmer.motion.flow import Flow
-from trimmer.response.growth import OLDER, grows
-from trimmer.response.linear_motion import LinearMotion, grows_for_ever
-from trimmer.response.orbit import Orbit, orbit_of
-from trimmer.response.recurrence import has_returned, settles_to
-from trimmer.response.response import MotionKind
-from trimmer.response.settling import MOST_REPEATS, PATIENCE
-from trimmer.response.shooting import Return, solve
-from trimmer.response.solved import rest_of, solved
+from trimmer.response.periodic.orbit import Orbit, orbit_of
+from trimmer.response.periodic.shooting import Return, solve
+from trimmer.response.results.response import MotionKind
+from trimmer.response.settling.recurrence import has_returned, settles_to
+from trimmer.response.settling.settling import MOST_REPEATS, PATIENCE
+from trimmer.response.settling.solved import rest_of, solved
+from trimmer.response.statistics.growth import OLDER, grows
+from trimmer.response.without_events.linear_motion import LinearMotion, grows_for_ever
 
 FIRST_LOOK = 24
 """Drive periods after which a motion is first looked at; later looks are half as long again apart."""

@@ -17,7 +17,7 @@ from trimmer.maps.inputs import varied
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.subject import Subject
 from trimmer.progress import progress_bar
-from trimmer.response.settling import orbit_from_rest
+from trimmer.response.settling.settling import orbit_from_rest
 from trimmer.runners.runner import Runner
 
 MOST_ORBITS = 600  # Orbits after which a branch is left

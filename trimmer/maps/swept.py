@@ -18,7 +18,7 @@ from trimmer.mechanism.place_text import unit_of
 from trimmer.messages import there_is
 from trimmer.motion.chosen import SIZES
 from trimmer.response.flows import flow_of
-from trimmer.response.pace import periods_of
+from trimmer.response.periodic.pace import periods_of
 from trimmer.showing.drawn import Drawn, drawn
 from trimmer.showing.shown import Shown, Tabular, counted
 from trimmer.showing.table import Column, Table

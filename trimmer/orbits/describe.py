@@ -8,8 +8,8 @@ from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.hybrid.work import Log
 from trimmer.motion.course import Course
 from trimmer.orbits.periodic_orbit import NEUTRAL, PeriodicOrbit
-from trimmer.response.multipliers import multipliers_of
-from trimmer.response.shooting import Return, Shot
+from trimmer.response.periodic.multipliers import multipliers_of
+from trimmer.response.periodic.shooting import Return, Shot
 
 SEAM = 1e-13  # Time from the start, as a share of the period, of an event that may as well come at its end
 

@@ -8,7 +8,7 @@ from trimmer.arrays import Reals
 from trimmer.hybrid.advance import Instant
 from trimmer.one_orbit import SAME, ClosedCurve, are_one, inaccuracy
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
-from trimmer.response.shooting import CLOSED, LONGEST, Patience, Return, Shot, solve
+from trimmer.response.periodic.shooting import CLOSED, LONGEST, Patience, Return, Shot, solve
 
 COLLAPSED = 1e-6
 """Swing of all states, relative to their sizes, below which Newton's method has found an equilibrium."""

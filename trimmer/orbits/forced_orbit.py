@@ -10,7 +10,7 @@ from trimmer.loops.loops import Loop, require_loop
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.realization import restated
 from trimmer.response.forced_orbit import SETTLING, exact_orbit
-from trimmer.response.shooting import SETTLED, SINGULAR, sizes_of
+from trimmer.response.periodic.shooting import SETTLED, SINGULAR, sizes_of
 from trimmer.response.starts import Start
 
 RESONANT = 1e-7

@@ -18,7 +18,7 @@ from trimmer.motion.extremes import extremes
 from trimmer.motion.fourier import fourier
 from trimmer.motion.signals import Signal, Steady, along
 from trimmer.orbits.orbit_measures import ImpactEvent, impacts
-from trimmer.response.orbit import Orbit
+from trimmer.response.periodic.orbit import Orbit
 from trimmer.showing.table import Table, attributes, of_harmonics
 
 NEUTRAL = 1e-6

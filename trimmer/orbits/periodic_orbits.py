@@ -34,7 +34,7 @@ from trimmer.orbits.search import (
     SimulationSearch,
 )
 from trimmer.orbits.settling import settled_orbits
-from trimmer.response.shooting import Return, Shot
+from trimmer.response.periodic.shooting import Return, Shot
 
 
 @takes_any_loop

@@ -16,7 +16,7 @@ from trimmer.orbits.half_period import HalfPeriodEquation, Interval, interval_of
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.search import RelaySearch
 from trimmer.orbits.unequal_switches import POINTS, unequal_switches
-from trimmer.response.shooting import Return
+from trimmer.response.periodic.shooting import Return
 
 CLOSE = 1e-3
 """Miss of the return above which a zero is no orbit: the relay switches in between, or the other way."""

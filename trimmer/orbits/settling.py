@@ -22,7 +22,7 @@ from trimmer.orbits.initial_states import initial_states, quiet_time
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.search import OrbitSearch, SimulationSearch
 from trimmer.progress import progress_bar
-from trimmer.response.shooting import Patience, Return, Shot
+from trimmer.response.periodic.shooting import Patience, Return, Shot
 
 FIRST_EVENTS = 128
 """Events after which the motion is first looked at; then after half as many again, and so on."""

@@ -16,7 +16,7 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.proof.outcome import UndecidedError
 from trimmer.proof.statement import MOST_ZEROS
-from trimmer.response.orbit import Orbit
+from trimmer.response.periodic.orbit import Orbit
 
 LEAST = 1e-6
 """Size of a state as a share of the largest of its kind that it has at least: below that it hardly moves."""

@@ -27,8 +27,8 @@ from trimmer.proof.proof import Proof, proof_of
 from trimmer.proof.read_of import functionals_data, read_of_motion
 from trimmer.proof.terms import element_data, plant_data
 from trimmer.response.flows import flow_of, require_subject
-from trimmer.response.motion import MechanismMotion
-from trimmer.response.orbit import Orbit
+from trimmer.response.periodic.orbit import Orbit
+from trimmer.response.simulation.motion import MechanismMotion
 
 if TYPE_CHECKING:
     from trimmer.branches.period_maps.driven_map import DrivenMap

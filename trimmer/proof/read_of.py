@@ -14,7 +14,7 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.signals import OwnValues, Readout, Signal, Steady, rate
 from trimmer.proof.modes import Seen, begun_amid, instants, modes_used, motion_rows
 from trimmer.proof.outcome import UndecidedError
-from trimmer.response.orbit import Orbit
+from trimmer.response.periodic.orbit import Orbit
 
 AXES = "displacements", "velocities"  # Names of what a body has
 

@@ -1,16 +1,12 @@
 """What a mechanism or a loop settles to: exact periodic motions, and statistics of what does not repeat.
 
-``shooting`` solves for a state that returns, ``orbit`` is what it gives, with its ``multipliers``, and
-``forced_orbit`` its entry; ``by_itself`` is all of this without a drive, where the period is unknown.
-``respond`` follows a motion from its start: ``settling`` looks for orbits on the way, ``recurrence`` says
-whether the motion comes to one, and ``same`` whether two are one. What meets no event any more is solved for:
-``linear_motion`` is it in closed form, ``linear_lines`` its exact measures, ``rest`` where it stands still,
-``solved`` what it comes to. What does not settle is seen through a ``window`` of drive periods, whose means
-have the errors that ``estimate`` gives, and ``verdict`` says what it is, with the help of ``zero_one``.
-``response`` is the result, ``response_json`` its JSON.
+``periodic`` solves for a state that returns; ``forced_orbit`` is the entry, ``by_itself`` all of this without
+a drive, where the period is unknown. ``respond`` follows a motion from its start: ``settling`` looks for orbits
+on the way, and says what it is that does not settle. What meets no event any more is known for all time
+(``without_events``), what does not repeat through its ``statistics``; ``results`` holds what is found.
 
-``flows`` gives the motion of either, from which all here is asked. ``simulate`` is the entry of plain
-simulation, ``motion`` its result for a mechanism, with ``energy``; ``starts`` reads where a motion begins.
+``flows`` gives the motion of either, from which all here is asked, ``starts`` reads where it begins.
+``simulation`` is plain simulation, ``step`` the response of a controlled mechanism to a step.
 """
 
 import lazy_loader

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from trimmer.motion.flow import Flow
     from trimmer.motion.subject import Subject
     from trimmer.orbits.periodic_orbit import PeriodicOrbit
-    from trimmer.response.orbit import Orbit
+    from trimmer.response.periodic.orbit import Orbit
     from trimmer.response.starts import Start
 
 SETTLING = (8, 64, 512)  # Drive periods from rest after which Newton's method is tried, one after the other
@@ -88,9 +88,9 @@ def _driven(flow: Flow, periods: int, guess: Start, settling: int | None) -> Orb
     from trimmer.errors import OrbitNotFoundError
     from trimmer.hybrid.advance import Ending
     from trimmer.mechanism.drives import RETURNS, told_of_drives
-    from trimmer.response.orbit import orbit_of
-    from trimmer.response.pace import periods_of
-    from trimmer.response.shooting import Return, solve
+    from trimmer.response.periodic.orbit import orbit_of
+    from trimmer.response.periodic.pace import periods_of
+    from trimmer.response.periodic.shooting import Return, solve
     from trimmer.response.starts import instant_of
 
     together = flow.modes.system.layout.recurrence

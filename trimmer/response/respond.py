@@ -19,17 +19,17 @@ from trimmer.response.by_itself.self_excited import self_excited
 from trimmer.response.by_itself.unrepeated import unrepeated
 from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.forced_orbit import diverges_by_pull, require_repeating
-from trimmer.response.linear_motion import linear_motion
-from trimmer.response.orbit import Orbit
-from trimmer.response.pace import pace_of, periods_of
-from trimmer.response.response import MotionKind, Response, SettledMotion
-from trimmer.response.rest import Rest
-from trimmer.response.same import largest_states, same_motion, same_orbit, twins
-from trimmer.response.settling import Settling
-from trimmer.response.shooting import sizes_of
-from trimmer.response.solved import at_rest, rest_of, settled_at_last
+from trimmer.response.periodic.orbit import Orbit
+from trimmer.response.periodic.pace import pace_of, periods_of
+from trimmer.response.periodic.shooting import sizes_of
+from trimmer.response.results.response import MotionKind, Response, SettledMotion
+from trimmer.response.results.same import largest_states, same_motion, same_orbit, twins
+from trimmer.response.settling.settling import Settling
+from trimmer.response.settling.solved import at_rest, rest_of, settled_at_last
+from trimmer.response.settling.verdict import cut_short, grown, look_closely, unsettled
 from trimmer.response.starts import Start, instant_of
-from trimmer.response.verdict import cut_short, grown, look_closely, unsettled
+from trimmer.response.without_events.linear_motion import linear_motion
+from trimmer.response.without_events.rest import Rest
 
 MOST_PERIODS = 1000  # Drive periods that are waited for a motion to settle, if no number is given
 MORE = 10  # By how much longer is waited where all small distances shrink, or that to a stable orbit does

@@ -20,7 +20,7 @@ from trimmer.files import SAMPLES
 from trimmer.json_data import DataError, typed
 from trimmer.maps.inputs import described
 from trimmer.messages import shown_value
-from trimmer.response.response import MotionKind
+from trimmer.response.results.response import MotionKind
 from trimmer.runners.record_file import RecordFile, appended, cut
 from trimmer.uncertainty.sample_inputs import SampleInputs
 

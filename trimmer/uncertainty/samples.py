@@ -18,7 +18,7 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
 from trimmer.progress import progress_bar
 from trimmer.response.flows import called, flow_of
-from trimmer.response.pace import periods_of
+from trimmer.response.periodic.pace import periods_of
 from trimmer.runners import ProcessRunner, Runner, SerialRunner
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted

@@ -9,7 +9,7 @@ from report.pages.drawing.style import new_figure
 from trimmer.design.kept_map import DesignMap
 from trimmer.drawing.cells import draw_cells
 from trimmer.maps.cells import CellMotion
-from trimmer.response.response import MotionKind
+from trimmer.response.results.response import MotionKind
 
 LOOKS = {
     "comes to rest": ("#56B4E9", ""),

@@ -34,7 +34,7 @@ from trimmer import (
 )
 from trimmer.arrays import Reals
 from trimmer.linear import InputChannels
-from trimmer.response.response_json import response_json
+from trimmer.response.results.response_json import response_json
 
 GAP, FRICTION = 100e-6, 1.0
 """The gap that section 6.4 names, m, and the bound of friction of chapter 5, N."""

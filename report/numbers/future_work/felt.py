@@ -6,7 +6,7 @@ from report.numbers.future_work.kept import KeptAnswer
 from report.numbers.twin.mechanism import twin
 from trimmer import respond
 from trimmer.design.found_motion import of_settled
-from trimmer.response.response_json import response_json
+from trimmer.response.results.response_json import response_json
 
 HOUSING: Final = "housing"
 GAPS: Final = (0.0, 20e-6, 40e-6, 60e-6, 100e-6, 150e-6, 200e-6, 300e-6)

@@ -20,7 +20,7 @@ from report.numbers.twin.kept_files import FOLDER, digest_of, read_kept, rounded
 from report.numbers.twin.mechanism import FORCE, GAP, SPEED, STIFFNESS, twin
 from trimmer import MotionKind, respond
 from trimmer.arrays import Reals
-from trimmer.response.response_json import response_json
+from trimmer.response.results.response_json import response_json
 
 FILE: Final = FOLDER / NAME
 RANDOM: Final = 5

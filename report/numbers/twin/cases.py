@@ -14,8 +14,8 @@ from trimmer.arrays import Reals
 from trimmer.contact.flow import MechanismFlow
 from trimmer.motion.course import Course
 from trimmer.motion.measures import Measures
-from trimmer.response.estimate import Estimate
-from trimmer.response.response import SettledMotion
+from trimmer.response.results.response import SettledMotion
+from trimmer.response.statistics.estimate import Estimate
 
 SHOWN: Final = 3  # Drive periods of the stretch
 PHASES: Final = 2048  # Samples of a drive period in it

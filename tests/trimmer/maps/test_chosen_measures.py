@@ -12,7 +12,7 @@ from trimmer.choices import ChoiceError
 from trimmer.motion.chosen import chosen_measure
 from trimmer.motion.measures import Measures
 from trimmer.response.flows import flow_of
-from trimmer.response.response_json import response_json
+from trimmer.response.results.response_json import response_json
 
 KEYS = [
     *(f"outputs.stroke.{each}" for each in ("peak_to_peak", "rms", "mean", "advance")),

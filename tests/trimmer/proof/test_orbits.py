@@ -24,7 +24,7 @@ from trimmer.elements import FrictionBacklash
 from trimmer.errors import TrimmerError
 from trimmer.mechanism import Body, Force, Friction, Link, Mechanism, Output, Pid
 from trimmer.proof import Proof, check_proof, prove_orbit
-from trimmer.response.orbit import Orbit
+from trimmer.response.periodic.orbit import Orbit
 from trimmer.thesis import TrimmerParameters, pin_model
 
 pytest.importorskip("flint")

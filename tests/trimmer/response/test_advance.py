@@ -12,7 +12,7 @@ from tests.trimmer.response.mechanisms import body
 from trimmer import FollowSettings, Mechanism, MotionKind, follow, forced_orbit, respond
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play
 from trimmer.response import MechanismOrbit
-from trimmer.response.response_json import response_json
+from trimmer.response.results.response_json import response_json
 
 
 def conveyor(belt: float = 0.0, sign: float = 1.0, lengths: float = 1.0) -> Mechanism:

@@ -8,8 +8,8 @@ import pytest
 from tests.trimmer.response.mechanisms import example
 from trimmer import MotionKind, peaks, respond
 from trimmer.command_line.mechanisms.respond_text import as_text
-from trimmer.response.combinations import sums_of
-from trimmer.response.response_json import response_json
+from trimmer.response.results.response_json import response_json
+from trimmer.response.statistics.combinations import sums_of
 from trimmer.spectra import amplitude_spectrum
 
 GOLDEN = (math.sqrt(5) - 1) / 2

@@ -9,8 +9,8 @@ from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.trimmer.response.mechanisms import body
 from trimmer import Mechanism, MotionKind, OrbitNotFoundError, forced_orbit, motion_map, respond
 from trimmer.mechanism import Force, Friction, Link, Output, Pin, Play
-from trimmer.response.growth import grew
-from trimmer.response.response_json import response_json
+from trimmer.response.results.response_json import response_json
+from trimmer.response.statistics.growth import grew
 
 
 def resonant(rubs: float = 0.0, frequency: float = 1.0, **parts: object) -> Mechanism:

@@ -7,7 +7,7 @@ import pytest
 
 from tests.trimmer.response.mechanisms import FOLDER, example
 from trimmer import MotionKind, respond, simulate
-from trimmer.response.response_json import response_json
+from trimmer.response.results.response_json import response_json
 
 REPEATING = {
     "thesis": 0,

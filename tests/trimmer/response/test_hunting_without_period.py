@@ -13,8 +13,8 @@ import pytest
 from tests.trimmer.servos import STICTION
 from trimmer import Mechanism, MotionKind, SerialRunner, motion_map, respond, simulate
 from trimmer.response.flows import flow_of
-from trimmer.response.response import SettledMotion
-from trimmer.response.response_json import response_json
+from trimmer.response.results.response import SettledMotion
+from trimmer.response.results.response_json import response_json
 
 SERVO = """
 [bodies]

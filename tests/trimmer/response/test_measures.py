@@ -14,7 +14,7 @@ from tests.trimmer.response.mechanisms import body as one_body
 from trimmer import ContactLaw, Mechanism, MechanismMotion, forced_orbit, respond, simulate
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Stop
 from trimmer.response import MechanismOrbit
-from trimmer.response.response_json import response_json
+from trimmer.response.results.response_json import response_json
 
 FREQUENCY = 7.0
 OMEGA = 2 * math.pi * FREQUENCY

@@ -5,7 +5,7 @@ import pytest
 
 from trimmer import Mechanism, MotionKind, basin, forced_orbit, respond
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin
-from trimmer.response.same import same_orbit
+from trimmer.response.results.same import same_orbit
 
 
 def blocks(between: float) -> Mechanism:

@@ -8,7 +8,7 @@ import pytest
 from tests.mechanisms.random_mechanisms import all_with, random_mechanism
 from tests.quick import quick
 from trimmer import Mechanism, MotionKind, UnsupportedMotionError, respond, simulate
-from trimmer.response.response_json import response_json
+from trimmer.response.results.response_json import response_json
 
 QUICK = (11, 27)
 PERIODS = 200

@@ -9,7 +9,7 @@ import pytest
 from tests.trimmer.response.mechanisms import twin
 from trimmer import Mechanism, MotionKind, UnsupportedMotionError, WrongTypeError, respond, simulate
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Stop
-from trimmer.response.response_json import response_json
+from trimmer.response.results.response_json import response_json
 
 KEYS = {"kind", "period_count", "lyapunov", "drive_periods", "events_per_period", "multipliers"}
 KEYS |= {"outputs", "bodies", "motions", "starts"}

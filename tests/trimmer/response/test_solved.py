@@ -10,7 +10,7 @@ from tests.quick import quick
 from tests.trimmer.response.mechanisms import body
 from trimmer import Mechanism, MotionKind, respond, simulate
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Stop
-from trimmer.response.response_json import response_json
+from trimmer.response.results.response_json import response_json
 
 DRIVE = 0.3
 OMEGA = 2 * math.pi * DRIVE

@@ -10,7 +10,7 @@ from tests.trimmer.response.mechanisms import twin
 from trimmer import MotionKind, OrbitNotFoundError, WrongTypeError, forced_orbit, respond, simulate
 from trimmer.errors import MechanismError
 from trimmer.mechanism import Body, Force, Friction, Link, Mechanism, Output, Stop
-from trimmer.response.response_json import response_json
+from trimmer.response.results.response_json import response_json
 
 OMEGA = 7.5
 DRIVEN = Mechanism(

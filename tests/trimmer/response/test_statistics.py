@@ -8,8 +8,8 @@ import pytest
 from scipy.signal import lfilter
 from scipy.stats import norm
 
-from trimmer.response.estimate import Estimate, correlation_time, mean_of
-from trimmer.response.zero_one import growth_of_walk
+from trimmer.response.statistics.estimate import Estimate, correlation_time, mean_of
+from trimmer.response.statistics.zero_one import growth_of_walk
 
 
 @pytest.mark.parametrize("share", [0.0, 0.5, 0.9])

@@ -8,8 +8,8 @@ import pytest
 
 from tests.trimmer.response.mechanisms import example
 from trimmer import Body, Force, Link, Mechanism, MotionKind, Output, Response, Stop, respond, simulate
-from trimmer.response.response_json import response_json
-from trimmer.response.window import joined, watch
+from trimmer.response.results.response_json import response_json
+from trimmer.response.statistics.window import joined, watch
 
 SAMPLES = 400  # In each drive period
 

@@ -11,7 +11,7 @@ from trimmer.command_line.table import table
 from trimmer.motion.chosen import chosen_measure
 from trimmer.motion.units import with_unit
 from trimmer.response.flows import flow_of
-from trimmer.response.pace import period_word, periods_of
+from trimmer.response.periodic.pace import period_word, periods_of
 
 if TYPE_CHECKING:
     from trimmer.branches import FollowedBranch, FollowedOrbit, SpecialPoint

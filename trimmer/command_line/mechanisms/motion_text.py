@@ -11,7 +11,7 @@ from trimmer.command_line.table import or_rounding, table
 from trimmer.mechanism.cut_waveforms import told_of_waveforms, waveforms_left_out
 from trimmer.messages import listed
 from trimmer.motion.units import with_unit
-from trimmer.response.response_json import rest_json
+from trimmer.response.results.response_json import rest_json
 
 if TYPE_CHECKING:
     from trimmer.response import MechanismEnergy, MechanismMotion

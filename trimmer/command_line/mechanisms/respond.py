@@ -23,7 +23,7 @@ from trimmer.command_line.system_options import (
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from trimmer.response.response import Response
+    from trimmer.response.results.response import Response
 
 
 def _configure(parser: ArgumentParser) -> None:

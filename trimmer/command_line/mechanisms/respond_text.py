@@ -12,16 +12,16 @@ from trimmer.mechanism.cut_waveforms import told_of_waveforms
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.units import with_unit
 from trimmer.response.flows import flow_of
-from trimmer.response.pace import pace_of, period_word
-from trimmer.response.response import MotionKind
-from trimmer.response.response_json import response_json
+from trimmer.response.periodic.pace import pace_of, period_word
+from trimmer.response.results.response import MotionKind
+from trimmer.response.results.response_json import response_json
 from trimmer.showing.shown import counted
 
 if TYPE_CHECKING:
     from trimmer.motion.flow import Flow
-    from trimmer.response.estimate import Estimate
-    from trimmer.response.response import Response, SettledMotion
-    from trimmer.response.rest import Rest
+    from trimmer.response.results.response import Response, SettledMotion
+    from trimmer.response.statistics.estimate import Estimate
+    from trimmer.response.without_events.rest import Rest
 
 LARGE_LINES = 6  # Lines of a spectrum that are shown, the largest ones
 SMALL = 1e-9  # Share of the largest line below which one is rounding

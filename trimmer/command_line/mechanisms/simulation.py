@@ -13,7 +13,7 @@ from trimmer.command_line.state_option import chosen_state
 if TYPE_CHECKING:
     from trimmer.loops.motion import LoopMotion
     from trimmer.mechanism.mechanism import Mechanism
-    from trimmer.response.motion import MechanismMotion
+    from trimmer.response.simulation.motion import MechanismMotion
 
 MOST_PERIODS = 1e9
 """Periods of a drive, or seconds without one, of the longest motion: an hour's work and more."""
@@ -21,7 +21,7 @@ MOST_PERIODS = 1e9
 
 def mechanism_motion(arguments: Namespace, mechanism: Mechanism) -> MechanismMotion:
     """Return the motion of a mechanism."""
-    from trimmer.response.simulate import simulate
+    from trimmer.response.simulation.simulate import simulate
 
     check_periods(arguments.duration, mechanism.frequency)
     state = chosen_state(arguments.state, mechanism)

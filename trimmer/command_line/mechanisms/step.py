@@ -34,7 +34,7 @@ def _run(arguments: Namespace) -> int:
     from trimmer.command_line.mechanisms.step_text import as_json, as_text
     from trimmer.design.design_file import read_with_targets
     from trimmer.mechanism.places import assignment
-    from trimmer.response.step import step_response
+    from trimmer.response.step.step import step_response
 
     check_targets(arguments, {"plot": PICTURES}, {"file": "the file of the mechanism"})
     mechanism, targets = read_with_targets(arguments.file, [assignment(text) for text in arguments.set])

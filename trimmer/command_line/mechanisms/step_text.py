@@ -12,10 +12,10 @@ from trimmer.command_line.table import table
 from trimmer.design.found_step import ROUNDING, found_step
 from trimmer.design.targets import OF_STEP, Measure, Target
 from trimmer.design.verdict import JudgedTarget
-from trimmer.response.response_json import response_json
+from trimmer.response.results.response_json import response_json
 
 if TYPE_CHECKING:
-    from trimmer.response.step import StepResponse
+    from trimmer.response.step.step import StepResponse
 
 
 def as_text(response: StepResponse, targets: Sequence[Target] = ()) -> str:

@@ -19,7 +19,7 @@ from trimmer.drawing.units import name_axis
 from trimmer.errors import MapError
 from trimmer.maps import Basin, MotionMap
 from trimmer.motion.units import with_unit
-from trimmer.response.response import MotionKind
+from trimmer.response.results.response import MotionKind
 
 BASIN_COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442")
 """Of the motions of a basin in turn: the colours of Okabe and Ito."""

@@ -16,8 +16,8 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow, signals_of
 from trimmer.motion.signals import Steady, rate, read
 from trimmer.motion.units import with_unit
-from trimmer.response.motion import MechanismMotion
-from trimmer.response.orbit import Orbit
+from trimmer.response.periodic.orbit import Orbit
+from trimmer.response.simulation.motion import MechanismMotion
 
 WORDS = {
     **{"m": "displacement", "m/s": "velocity", "m/s²": "acceleration", "N": "force"},

@@ -10,8 +10,8 @@ from trimmer.drawing.dispatch import draw
 from trimmer.drawing.mechanisms.motions import draw_motion, draw_phase_plane, draw_section
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
-from trimmer.response.motion import MechanismMotion
-from trimmer.response.response import Response, SettledMotion
+from trimmer.response.results.response import Response, SettledMotion
+from trimmer.response.simulation.motion import MechanismMotion
 
 SIZE = (7.6, 7.2)
 CLOSE = 0.05  # Share of the phase plane within which a section is shown in the frame of that

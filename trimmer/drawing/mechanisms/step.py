@@ -10,7 +10,7 @@ from trimmer.drawing.look import line, plain_label
 from trimmer.drawing.mechanisms.motions import POINTS, WORDS
 from trimmer.drawing.strips import strips_of
 from trimmer.motion.signals import along
-from trimmer.response.step import StepResponse
+from trimmer.response.step.step import StepResponse
 
 SIZE = (7.6, 6.6)
 

@@ -10,7 +10,7 @@ from trimmer.arrays import Flags, Reals
 from trimmer.hybrid.system import NOTHING
 from trimmer.hybrid.work import Log
 from trimmer.motion.course import Course
-from trimmer.response.orbit import Orbit
+from trimmer.response.periodic.orbit import Orbit
 
 NEAR = 1e-2  # Distance from a stable orbit as a share of its swing at which a motion has come to it
 ON_IT = 1e-6  # Distance from one of many side by side

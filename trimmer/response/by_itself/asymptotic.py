@@ -16,7 +16,7 @@ from trimmer.hybrid.system import AT_LIMIT, HOLD_BEGUN, ModeEquations
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
-from trimmer.response.rest import Rest
+from trimmer.response.without_events.rest import Rest
 
 MOST_SLIPS = 12  # Slips that are followed
 ALIKE = 1e-3  # By how much the shares of two of them may differ

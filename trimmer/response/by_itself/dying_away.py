@@ -12,8 +12,8 @@ import numpy as np
 
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
-from trimmer.response.linear_motion import LinearMotion, linear_motion
-from trimmer.response.rest import Rest
+from trimmer.response.without_events.linear_motion import LinearMotion, linear_motion
+from trimmer.response.without_events.rest import Rest
 
 SEGMENTS = 3  # Last segments of a motion that are looked at
 SHARES = (0.5, 0.75)  # Shares of their durations at which they are

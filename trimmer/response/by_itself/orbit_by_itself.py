@@ -9,8 +9,8 @@ from trimmer.hybrid.advance import Instant
 from trimmer.motion.flow import Flow
 from trimmer.response.by_itself.recurrences import once, recurring
 from trimmer.response.by_itself.self_excited import self_excited
-from trimmer.response.orbit import Orbit, orbit_of
-from trimmer.response.shooting import CLOSED, Return, solve
+from trimmer.response.periodic.orbit import Orbit, orbit_of
+from trimmer.response.periodic.shooting import CLOSED, Return, solve
 
 
 def self_excited_orbit(flow: Flow, instant: Instant) -> Orbit:

@@ -11,9 +11,9 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.one_orbit import SAME
 from trimmer.response.by_itself.arrival import what_happened
-from trimmer.response.orbit import Orbit, orbit_of
-from trimmer.response.rest import RESTING, at_rest
-from trimmer.response.shooting import CLOSED, Patience, Return, Shot, sizes_of, solve
+from trimmer.response.periodic.orbit import Orbit, orbit_of
+from trimmer.response.periodic.shooting import CLOSED, Patience, Return, Shot, sizes_of, solve
+from trimmer.response.without_events.rest import RESTING, at_rest
 
 NEAR = 0.1  # Distance of two states as a share of their sizes at which Newton's method is tried
 CLOSE = 10.0

@@ -17,8 +17,8 @@ from trimmer.hybrid.variation import propagated
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.response.by_itself.arrival import what_happened
-from trimmer.response.estimate import Estimate, mean_of
-from trimmer.response.shooting import sizes_of
+from trimmer.response.periodic.shooting import sizes_of
+from trimmer.response.statistics.estimate import Estimate, mean_of
 
 MEASURED = 512  # Returns over which the growth of distances is measured
 TOGETHER = 4  # Returns between two measurements

@@ -16,12 +16,12 @@ from trimmer.response.by_itself.asymptotic import asymptotic_rest, runs_on
 from trimmer.response.by_itself.dying_away import rest_dying_away
 from trimmer.response.by_itself.recurrences import recurrences, recurring
 from trimmer.response.by_itself.returns import Returns
-from trimmer.response.growth import grew, state_sizes
-from trimmer.response.linear_motion import grows_for_ever, linear_motion
-from trimmer.response.orbit import Orbit
-from trimmer.response.response import MotionKind
-from trimmer.response.rest import Rest, at_rest
-from trimmer.response.solved import Solved, solved
+from trimmer.response.periodic.orbit import Orbit
+from trimmer.response.results.response import MotionKind
+from trimmer.response.settling.solved import Solved, solved
+from trimmer.response.statistics.growth import grew, state_sizes
+from trimmer.response.without_events.linear_motion import grows_for_ever, linear_motion
+from trimmer.response.without_events.rest import Rest, at_rest
 
 STRETCHES = (20, 80, 320, 1280)
 """Lengths of the motion that is searched for a recurrence, in periods of the slowest mode."""

@@ -8,8 +8,8 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.signals import along
 from trimmer.response.by_itself.returns import Returns
 from trimmer.response.by_itself.self_excited import STRETCHES, SelfExcited
-from trimmer.response.response import MotionKind, SettledMotion
-from trimmer.response.window import Watched, watch
+from trimmer.response.results.response import MotionKind, SettledMotion
+from trimmer.response.statistics.window import Watched, watch
 from trimmer.showing.shown import counted
 
 RETURNS = 512

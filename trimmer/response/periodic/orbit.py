@@ -14,10 +14,10 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures
 from trimmer.motion.subject import Subject
 from trimmer.one_orbit import SAME
-from trimmer.response.edge import Edge
-from trimmer.response.multipliers import multipliers_of, with_place
-from trimmer.response.pace import period_word, periods_of
-from trimmer.response.shooting import CLOSED, Shot
+from trimmer.response.periodic.edge import Edge
+from trimmer.response.periodic.multipliers import multipliers_of, with_place
+from trimmer.response.periodic.pace import period_word, periods_of
+from trimmer.response.periodic.shooting import CLOSED, Shot
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Column, Table, arrays
@@ -192,7 +192,7 @@ class Orbit(Tabular, Drawn):
     @cached_property
     def edge(self) -> Edge | None:
         """What is known of the other side, where it rests on an edge; None where it does not."""
-        from trimmer.response.edge import edge_of
+        from trimmer.response.periodic.edge import edge_of
 
         return edge_of(self.flow, self.course, self.sizes) if self.success else None
 

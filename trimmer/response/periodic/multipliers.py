@@ -6,7 +6,7 @@ from scipy.linalg import lapack
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.motion.flow import Flow
-from trimmer.response.shooting import CLOSED, Return, Shot
+from trimmer.response.periodic.shooting import CLOSED, Return, Shot
 
 FAR = 0.5  # Modulus of a multiplier below which it is far inside the unit circle, whatever its rounding
 ROUNDING = 64 * float(np.finfo(float).eps)

@@ -13,10 +13,10 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from trimmer.arrays import Reals
-    from trimmer.response.estimate import Estimate
-    from trimmer.response.orbit import Orbit
-    from trimmer.response.response import SettledMotion
-    from trimmer.response.rest import Rest
+    from trimmer.response.periodic.orbit import Orbit
+    from trimmer.response.results.response import SettledMotion
+    from trimmer.response.statistics.estimate import Estimate
+    from trimmer.response.without_events.rest import Rest
 
 POINTS = 32  # Points of a period at which two orbits are compared
 ERRORS = 4.0

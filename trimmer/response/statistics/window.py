@@ -19,9 +19,9 @@ from trimmer.motion.fourier import fourier
 from trimmer.motion.measures import HARMONICS
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 from trimmer.motion.signals import along, read
-from trimmer.response.estimate import Estimate, mean_of
-from trimmer.response.pace import pace_of
-from trimmer.response.shooting import sizes_of
+from trimmer.response.periodic.pace import pace_of
+from trimmer.response.periodic.shooting import sizes_of
+from trimmer.response.statistics.estimate import Estimate, mean_of
 
 SAMPLES = 64  # Samples in a drive period, for the spectrum
 SEGMENT = 128  # Drive periods of a segment of the spectrum, at most
@@ -160,7 +160,7 @@ class Watched:
         The first one is that of the drive; None where all are multiples of it, for what is no sum, and
         without a drive, where samples of a controller are all that comes evenly.
         """
-        from trimmer.response.combinations import sums_of
+        from trimmer.response.statistics.combinations import sums_of
 
         if not self.flow.period or pace_of(self.flow.subject) > 1:
             return {name: (None, (None,) * len(peaks)) for name, peaks in self.peaks.items()}

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from trimmer.hybrid.advance import Instant
     from trimmer.loops.loops import Loop
     from trimmer.loops.motion import LoopMotion
-    from trimmer.response.motion import MechanismMotion
+    from trimmer.response.simulation.motion import MechanismMotion
     from trimmer.response.starts import Start
 
 MOST_STEPS = 20_000_000  # Steps of one simulation, if no number is given: some ten seconds
@@ -97,7 +97,7 @@ def _begin_of_loop(loop: Loop, state: Start, others: Mapping[str, object]) -> In
 
 def _of_mechanism(mechanism: Mechanism, duration: float, state: Start, step_limit: int) -> MechanismMotion:
     from trimmer.contact.flow import MechanismFlow
-    from trimmer.response.motion import MechanismMotion
+    from trimmer.response.simulation.motion import MechanismMotion
     from trimmer.response.starts import instant_of
 
     if not 0 < real_number("duration", duration, "s") < math.inf:

@@ -8,7 +8,7 @@ import numpy as np
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.response.orbit import Orbit
+    from trimmer.response.periodic.orbit import Orbit
 
 NEAR = 0.1  # Distance of two states, as a share of their sizes, at which a motion may be about to repeat
 MUCH_NEARER = 0.2

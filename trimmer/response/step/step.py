@@ -12,10 +12,10 @@ from trimmer.mechanism import Mechanism, StepReference
 from trimmer.messages import listed, near_match
 from trimmer.motion.extremes import turning_points
 from trimmer.motion.step_measures import Step, StepMeasures, step_measures
-from trimmer.response.motion import MechanismMotion
 from trimmer.response.respond import respond
-from trimmer.response.response import MotionKind, Response
-from trimmer.response.step_end import StepEnd, followed
+from trimmer.response.results.response import MotionKind, Response
+from trimmer.response.simulation.motion import MechanismMotion
+from trimmer.response.step.step_end import StepEnd, followed
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Table, attributes
 

@@ -6,9 +6,9 @@ from trimmer.mechanism.cut_waveforms import waveforms_left_out
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.measures import Measures
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-from trimmer.response.estimate import Estimate
-from trimmer.response.response import MotionKind, Response, SettledMotion
-from trimmer.response.rest import Rest
+from trimmer.response.results.response import MotionKind, Response, SettledMotion
+from trimmer.response.statistics.estimate import Estimate
+from trimmer.response.without_events.rest import Rest
 
 
 def response_json(response: Response) -> dict[str, Any]:

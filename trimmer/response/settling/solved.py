@@ -11,14 +11,14 @@ from trimmer.mechanism.drives import RETURNS, told_of_drives
 from trimmer.messages import listed
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
-from trimmer.response.linear_motion import LinearMotion, lasting_motion, linear_motion
-from trimmer.response.orbit import Orbit, orbit_of
-from trimmer.response.pace import periods_of
-from trimmer.response.response import MotionKind, SettledMotion
-from trimmer.response.rest import Rest
-from trimmer.response.sampled_rest import sampled_rest
-from trimmer.response.shooting import Patience, Return, sizes_of, solve
-from trimmer.response.window import watch
+from trimmer.response.periodic.orbit import Orbit, orbit_of
+from trimmer.response.periodic.pace import periods_of
+from trimmer.response.periodic.shooting import Patience, Return, sizes_of, solve
+from trimmer.response.results.response import MotionKind, SettledMotion
+from trimmer.response.statistics.window import watch
+from trimmer.response.without_events.linear_motion import LinearMotion, lasting_motion, linear_motion
+from trimmer.response.without_events.rest import Rest
+from trimmer.response.without_events.sampled_rest import sampled_rest
 
 PATIENCE = Patience(iterations=4, halvings=1, followed=0)  # For an orbit that is known to rounding
 MOST_PERIODS = 64  # Periods after which free vibrations and a drive return together at most

@@ -10,8 +10,8 @@ import numpy as np
 
 from trimmer.choices import Choice
 from trimmer.motion.measures import HARMONICS
-from trimmer.response.estimate import Estimate
 from trimmer.response.flows import flow_of
+from trimmer.response.statistics.estimate import Estimate
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Shown, Tabular
 from trimmer.showing.table import Column, Table, attributes
@@ -24,11 +24,11 @@ if TYPE_CHECKING:
     from trimmer.motion.measures import Measures
     from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
     from trimmer.motion.subject import Subject
-    from trimmer.response.linear_lines import LinearLines
-    from trimmer.response.linear_motion import LinearMotion
-    from trimmer.response.orbit import Orbit
-    from trimmer.response.rest import Rest
-    from trimmer.response.window import Watched
+    from trimmer.response.periodic.orbit import Orbit
+    from trimmer.response.statistics.window import Watched
+    from trimmer.response.without_events.linear_lines import LinearLines
+    from trimmer.response.without_events.linear_motion import LinearMotion
+    from trimmer.response.without_events.rest import Rest
 
 
 class MotionKind(Choice):
@@ -201,7 +201,7 @@ class SettledMotion(Shown):
         """Exact measures of a linear motion that does not repeat."""
         if self.linear is None or self.measures is not None:
             return None
-        from trimmer.response.linear_lines import LinearLines
+        from trimmer.response.without_events.linear_lines import LinearLines
 
         return LinearLines(self.linear)
 

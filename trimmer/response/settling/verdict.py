@@ -9,16 +9,16 @@ import numpy as np
 
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.drives import RETURNS, told_of_drives
-from trimmer.response.growth import OLDER, grows
-from trimmer.response.pace import pace_of, period_word, periods_of
-from trimmer.response.response import MotionKind, SettledMotion
-from trimmer.response.window import Watched, joined, watch
-from trimmer.response.zero_one import growth_of_walk
+from trimmer.response.periodic.pace import pace_of, period_word, periods_of
+from trimmer.response.results.response import MotionKind, SettledMotion
+from trimmer.response.statistics.growth import OLDER, grows
+from trimmer.response.statistics.window import Watched, joined, watch
+from trimmer.response.statistics.zero_one import growth_of_walk
 
 if TYPE_CHECKING:
     from trimmer.hybrid.advance import Instant
     from trimmer.motion.flow import Flow
-    from trimmer.response.settling import Settling
+    from trimmer.response.settling.settling import Settling
 
 WINDOW = 512  # Drive periods that a motion is watched at first
 MOST_WINDOWS = 4  # By how much the window grows at most while the kind of the motion is undecided

@@ -9,10 +9,10 @@ from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.time_scale import time_scale
-from trimmer.response.closings import Closing
-from trimmer.response.motion import MechanismMotion
-from trimmer.response.rest import Rest
-from trimmer.response.solved import rest_after
+from trimmer.response.settling.solved import rest_after
+from trimmer.response.simulation.closings import Closing
+from trimmer.response.simulation.motion import MechanismMotion
+from trimmer.response.without_events.rest import Rest
 
 STRETCHES = (5, 20, 80, 320)
 """How long is waited for rest after the last time of a profile, in periods of the slowest mode."""

@@ -12,14 +12,14 @@ from trimmer.hybrid.advance import Ending, Instant
 from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of
-from trimmer.response.linear_motion import grows_for_ever
-from trimmer.response.orbit import Orbit, orbit_of
-from trimmer.response.pace import pace_of
-from trimmer.response.recurrence import approach, candidates, has_returned, settles_to
-from trimmer.response.rest import Rest
-from trimmer.response.sampled_rest import sampled_rest
-from trimmer.response.shooting import Patience, Return, sizes_of, solve
-from trimmer.response.solved import Solved, solved
+from trimmer.response.periodic.orbit import Orbit, orbit_of
+from trimmer.response.periodic.pace import pace_of
+from trimmer.response.periodic.shooting import Patience, Return, sizes_of, solve
+from trimmer.response.settling.recurrence import approach, candidates, has_returned, settles_to
+from trimmer.response.settling.solved import Solved, solved
+from trimmer.response.without_events.linear_motion import grows_for_ever
+from trimmer.response.without_events.rest import Rest
+from trimmer.response.without_events.sampled_rest import sampled_rest
 
 FIRST, LONGEST = 8, 128  # Drive periods before the first look at a motion, and at most between two looks
 KEPT = 256  # Drive periods that are kept for a look
@@ -189,6 +189,6 @@ def _counts(periods: int) -> Iterator[int]:
 
 
 def _listed(orbit: Orbit, known: Sequence[Orbit]) -> bool:
-    from trimmer.response.same import same_orbit
+    from trimmer.response.results.same import same_orbit
 
     return any(same_orbit(orbit, other) for other in known)

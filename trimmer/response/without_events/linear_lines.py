@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from trimmer.arrays import Complexes, Reals
-    from trimmer.response.linear_motion import LinearMotion
+    from trimmer.response.without_events.linear_motion import LinearMotion
 
 ANGLES = 4096  # Instants in a drive period at which the largest value of several waves is looked for
 

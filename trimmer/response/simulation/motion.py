@@ -26,9 +26,9 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import signals_of
 from trimmer.motion.motion import Motion
 from trimmer.motion.signals import Signal, Steady, along
-from trimmer.response.closings import Closing, closings
-from trimmer.response.energy import MechanismEnergy, energy_of
-from trimmer.response.rest import Rest
+from trimmer.response.simulation.closings import Closing, closings
+from trimmer.response.simulation.energy import MechanismEnergy, energy_of
+from trimmer.response.without_events.rest import Rest
 from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, attributes
 
@@ -266,7 +266,7 @@ class MechanismMotion(Motion):
     @cached_property
     def rest(self) -> Rest | None:
         """Where it rests, with the forces of all parts, if it has come to rest at its end; else None."""
-        from trimmer.response.solved import rest_after
+        from trimmer.response.settling.solved import rest_after
 
         return rest_after(self.flow, self.course) if self.success else None
 

@@ -10,7 +10,7 @@ from trimmer.arrays import Reals
 from trimmer.contact.machine.statuses import STICK
 from trimmer.hybrid.advance import Ending, Instant
 from trimmer.motion.flow import Flow
-from trimmer.response.rest import Rest
+from trimmer.response.without_events.rest import Rest
 
 GONE = 1e-9  # Share of the sizes of a motion up to which what is left of it is none
 SINGULAR = 1e-9

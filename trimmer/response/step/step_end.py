@@ -17,9 +17,9 @@ from trimmer.motion.extremes import extremes, turning_points
 from trimmer.motion.signals import along
 from trimmer.motion.time_scale import time_scale
 from trimmer.response.by_itself.asymptotic import asymptotic_rest
-from trimmer.response.orbit import Orbit
-from trimmer.response.rest import at_rest
-from trimmer.response.solved import rest_after
+from trimmer.response.periodic.orbit import Orbit
+from trimmer.response.settling.solved import rest_after
+from trimmer.response.without_events.rest import at_rest
 
 STRETCHES = (5, 20, 80, 320, 1280)  # How long is followed at most, in periods of the slowest mode
 CYCLES = (5, 20, 80)  # The same in periods of a cycle

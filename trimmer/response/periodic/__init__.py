@@ -1,0 +1,1 @@
+"""Exact periodic motions: Newton's method for a state that returns, its orbit, its multipliers."""

@@ -1,0 +1,1 @@
+"""A motion followed until it settles, is solved for, or is judged as what it is."""
