@@ -11,7 +11,7 @@ from report.pages.drawing.drawn import drawn
 from report.pages.figure import Figure
 from trimmer.contact.control_loops import ControlLoops, loops_of
 from trimmer.design import Design, DesignMap, FoundMotion, FoundStep, LinearState
-from trimmer.design.targets import OF_STEP, Measure, unit_of_measure
+from trimmer.design.specification.targets import OF_STEP, Measure, unit_of_measure
 from trimmer.linear.margins import Margins
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.messages import listed

@@ -13,7 +13,7 @@ from report.design.report import DesignReport
 from report.pages.formats import Format, Paper
 from trimmer.deadline import NEVER, Deadline
 from trimmer.design import Design, DesignFile, DesignSettings
-from trimmer.design.keeping import Keeper
+from trimmer.design.parameter_studies.keeping import Keeper
 from trimmer.design.study import Study, Told
 from trimmer.runners.runner import Runner
 

@@ -24,7 +24,7 @@ from trimmer.messages import shown_value
 if TYPE_CHECKING:
     from report.design.building import ReportPlace
     from report.pages.escaping import Markdown
-    from trimmer.design.design_file import DesignFile
+    from trimmer.design.specification.design_file import DesignFile
     from trimmer.runners.runner import Runner
 
 KINDS = {Format.HTML: HTML, Format.PDF: PDF}
@@ -159,7 +159,7 @@ def told_how_to_go_on(run: Callable[[Namespace], int]) -> Callable[[Namespace], 
 def _run(arguments: Namespace) -> int:
     from report.design.building import ReportPlace
     from report.design.origin import today
-    from trimmer.design.design_file import read_design_file
+    from trimmer.design.specification.design_file import read_design_file
     from trimmer.in_symbols.printed_symbols import printed_symbols
     from trimmer.mechanism.places import assignment
     from trimmer.uncertainty.sample_file import with_uncertainty

@@ -47,8 +47,8 @@ def _run(arguments: Namespace) -> int:
     from report.design.origin import today
     from report.design.progress import ProgressLines
     from trimmer.design.comparison import compared
-    from trimmer.design.design_file import read_design_file
     from trimmer.design.settings import USUAL
+    from trimmer.design.specification.design_file import read_design_file
     from trimmer.mechanism.places import assignment
     from trimmer.uncertainty.sample_file import with_uncertainty
 

@@ -23,7 +23,7 @@ from report.pages.escaping import Markdown, code, markdown
 from report.pages.figure import Figure
 from trimmer.design import Design, MeasureOfPart
 from trimmer.design.comparison import DesignComparison, measures_of
-from trimmer.design.targets import Measure, unit_of_measure
+from trimmer.design.specification.targets import Measure, unit_of_measure
 
 NEITHER = "—"
 

@@ -6,7 +6,7 @@ from datetime import UTC, datetime
 
 from report.pages.escaping import shown_characters
 from report.pages.provenance import Provenance, provenance
-from trimmer.design.design_file import DesignFile
+from trimmer.design.specification.design_file import DesignFile
 from trimmer.source_date import source_date
 
 SHOWN_DIGITS = 12  # Digits of a file's hash below the title; the table at the end has all

@@ -17,13 +17,13 @@ from report.design.quantities import percent, place_words, shown
 from report.design.words import bound_words, capital, measure_words
 from report.pages.drawing.drawn import drawn
 from report.pages.figure import Figure
+from trimmer.design.analysis.linear import LinearState, driving
+from trimmer.design.analysis.spectrum import OutputLine
 from trimmer.design.design import Design
-from trimmer.design.kept_map import DesignMap
-from trimmer.design.linear import LinearState, driving
-from trimmer.design.paths import NumberPath
-from trimmer.design.spectrum import OutputLine
-from trimmer.design.targets import Measure, unit_of_measure
-from trimmer.design.trial import MeasureOfPart, all_measures
+from trimmer.design.parameter_studies.kept_map import DesignMap
+from trimmer.design.parameter_studies.paths import NumberPath
+from trimmer.design.specification.targets import Measure, unit_of_measure
+from trimmer.design.trials.trial import MeasureOfPart, all_measures
 from trimmer.mechanism.kinds import Kind
 from trimmer.messages import listed
 from trimmer.response.results.response import MotionKind

@@ -12,11 +12,11 @@ from report.design.words import SPECIAL, capital, count, counted_in, measure_wor
 from report.pages.escaping import Markdown, markdown
 from trimmer.branches.branch import BranchEnd
 from trimmer.design.design import Design
-from trimmer.design.kept_map import DesignMap
-from trimmer.design.paths import NumberPath, PathSide
-from trimmer.design.sensitivity import Sensitivity
-from trimmer.design.targets import Measure
-from trimmer.design.trial import MeasureOfPart
+from trimmer.design.parameter_studies.kept_map import DesignMap
+from trimmer.design.parameter_studies.paths import NumberPath, PathSide
+from trimmer.design.specification.targets import Measure
+from trimmer.design.trials.sensitivity import Sensitivity
+from trimmer.design.trials.trial import MeasureOfPart
 from trimmer.maps.cells import described
 from trimmer.response.periodic.pace import period_word
 from trimmer.response.results.response import MotionKind

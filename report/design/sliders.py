@@ -12,7 +12,7 @@ from report.design.sentences import left_out
 from report.design.words import bound_words, capital, count, counted_in, measure_words
 from report.pages.explorable import Panel, Slider
 from trimmer.design import Design, DesignFile, Measure, Target
-from trimmer.design.solved_grid import GridMotion, SolvedGrid
+from trimmer.design.parameter_studies.solved_grid import GridMotion, SolvedGrid
 from trimmer.messages import listed
 from trimmer.response.periodic.pace import DRIVE_PERIOD, period_word
 from trimmer.response.results.response import MotionKind

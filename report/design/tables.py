@@ -21,14 +21,14 @@ from report.design.words import (
     without_margin,
 )
 from report.pages.escaping import Markdown, code, inline_mathematics
+from trimmer.design.analysis.linear import LinearState
+from trimmer.design.analysis.spectrum import LineKind, OutputLine, OutputSpectrum
 from trimmer.design.design import Design
-from trimmer.design.linear import LinearState
-from trimmer.design.paths import NumberPath, PathSide
-from trimmer.design.remedies import Remedy
-from trimmer.design.spectrum import LineKind, OutputLine, OutputSpectrum
-from trimmer.design.surroundings import SPEEDS, Beside
-from trimmer.design.targets import Measure, unit_of_measure
-from trimmer.design.trial import all_measures
+from trimmer.design.parameter_studies.paths import NumberPath, PathSide
+from trimmer.design.specification.targets import Measure, unit_of_measure
+from trimmer.design.trials.remedies import Remedy
+from trimmer.design.trials.surroundings import SPEEDS, Beside
+from trimmer.design.trials.trial import all_measures
 from trimmer.mechanism.parts import COUPLINGS
 from trimmer.messages import listed
 from trimmer.response.periodic.pace import DRIVE_PERIOD

@@ -6,11 +6,11 @@ from report.design.axis import MEASURES, hunting_words, step_value
 from report.design.quantities import percent, place_words, shown
 from report.pages.escaping import Markdown, markdown
 from trimmer.branches.special import SpecialKind
+from trimmer.design.analysis.found_motion import FoundMotion
 from trimmer.design.design import Design, Stage
-from trimmer.design.found_motion import FoundMotion
-from trimmer.design.remedies import Change, Remedy
-from trimmer.design.surroundings import SPEEDS, Around, Beside, Condition
-from trimmer.design.targets import OF_CLOSING, Measure, Target
+from trimmer.design.specification.targets import OF_CLOSING, Measure, Target
+from trimmer.design.trials.remedies import Change, Remedy
+from trimmer.design.trials.surroundings import SPEEDS, Around, Beside, Condition
 from trimmer.design.verdict import NEAR, DesignOutcome, JudgedTarget, Sureness
 from trimmer.messages import listed
 from trimmer.response.results.response import MotionKind

@@ -11,8 +11,8 @@ from trimmer import FollowSettings, SerialRunner, follow, respond
 from trimmer.branches import BranchEnd
 from trimmer.deadline import NEVER, Deadline
 from trimmer.design import DesignFile, DesignOutcome, DesignSettings, Stage, Study
-from trimmer.design.design_file import design_file_of_text
 from trimmer.design.motions import FEWEST, periods_within
+from trimmer.design.specification.design_file import design_file_of_text
 from trimmer.runners import ProcessRunner, Runner
 from trimmer.runners.timed import TimedRunner
 

@@ -2,6 +2,9 @@
 
 ``Study(read_design_file("mine.toml")).whole()`` is what the report of ``trimmer design`` rests on; each
 method of a ``Study`` gives a part of it.
+
+``specification`` is what is asked, ``analysis`` what one mechanism does, ``trials`` what others like it do,
+and ``parameter_studies`` maps and branches over its numbers. Imports go that way only.
 """
 
 import lazy_loader

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from math import isfinite
 
 from trimmer.design.design import Design
-from trimmer.design.trial import MeasureOfPart, all_measures
+from trimmer.design.trials.trial import MeasureOfPart, all_measures
 from trimmer.mechanism.mechanism import Mechanism
 
 SAME = 1e-12  # Relative difference of two numbers below which they are one

@@ -5,20 +5,20 @@ from dataclasses import dataclass
 
 from trimmer.choices import Choice
 from trimmer.deadline import NEVER, Deadline
-from trimmer.design.design_file import DesignFile
-from trimmer.design.found_motion import FoundMotion
-from trimmer.design.kept_map import DesignMap
-from trimmer.design.linear import LinearState
+from trimmer.design.analysis.found_motion import FoundMotion
+from trimmer.design.analysis.linear import LinearState
+from trimmer.design.analysis.plausible import Question
+from trimmer.design.analysis.spectrum import OutputSpectrum
 from trimmer.design.motions import Motions
-from trimmer.design.paths import NumberPath
-from trimmer.design.plausible import Question
-from trimmer.design.ranges import RangeStudy
-from trimmer.design.remedies import Remedies
-from trimmer.design.sensitivity import Sensitivities
+from trimmer.design.parameter_studies.kept_map import DesignMap
+from trimmer.design.parameter_studies.paths import NumberPath
+from trimmer.design.parameter_studies.solved_grid import SolvedGrid
 from trimmer.design.settings import DesignSettings
-from trimmer.design.solved_grid import SolvedGrid
-from trimmer.design.spectrum import OutputSpectrum
-from trimmer.design.surroundings import Around
+from trimmer.design.specification.design_file import DesignFile
+from trimmer.design.trials.ranges import RangeStudy
+from trimmer.design.trials.remedies import Remedies
+from trimmer.design.trials.sensitivity import Sensitivities
+from trimmer.design.trials.surroundings import Around
 from trimmer.design.varied_places import VariedNumber
 from trimmer.design.verdict import DesignVerdict
 

@@ -9,10 +9,10 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.deadline import NEVER, Deadline
-from trimmer.design.found_motion import FoundMotion, of_orbit, of_settled, of_steps, of_switching
-from trimmer.design.found_step import step_responses
+from trimmer.design.analysis.found_motion import FoundMotion, of_orbit, of_settled, of_steps, of_switching
+from trimmer.design.analysis.found_step import step_responses
 from trimmer.design.settings import DesignSettings
-from trimmer.design.targets import followers, has_profile
+from trimmer.design.specification.targets import followers, has_profile
 from trimmer.design.varied_places import VariedNumber
 from trimmer.errors import TrimmerError, UnsupportedMotionError
 from trimmer.maps.cells import CellMotion

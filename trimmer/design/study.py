@@ -9,24 +9,24 @@ from functools import partial
 from typing import TypeVar
 
 from trimmer.deadline import NEVER, Deadline
+from trimmer.design.analysis.linear import LinearState, linear_states
+from trimmer.design.analysis.plausible import questions
+from trimmer.design.analysis.spectrum import OutputSpectrum, spectra
 from trimmer.design.design import Design, Stage
-from trimmer.design.design_file import DesignFile
-from trimmer.design.keeping import NOT_KEPT, Keeper
-from trimmer.design.kept_map import DesignMap, design_map, keys_of
-from trimmer.design.linear import LinearState, linear_states
 from trimmer.design.motions import Motions, motions_from_starts, periods_within, with_neighbours
-from trimmer.design.paths import NumberPath, path_through
-from trimmer.design.plausible import questions
-from trimmer.design.ranges import RangeStudy, study_ranges
-from trimmer.design.remedies import Remedies
-from trimmer.design.remedy_search import remedies
-from trimmer.design.sensitivity import Sensitivities, sensitivities
+from trimmer.design.parameter_studies.keeping import NOT_KEPT, Keeper
+from trimmer.design.parameter_studies.kept_map import DesignMap, design_map, keys_of
+from trimmer.design.parameter_studies.paths import NumberPath, path_through
+from trimmer.design.parameter_studies.solved_grid import MovedNumber, SolvedGrid, numbers_to_move, solved_grid
+from trimmer.design.parameter_studies.strongest import MAPS, pairs_of_targets
 from trimmer.design.settings import USUAL, DesignSettings
-from trimmer.design.solved_grid import MovedNumber, SolvedGrid, numbers_to_move, solved_grid
-from trimmer.design.spectrum import OutputSpectrum, spectra
-from trimmer.design.strongest import MAPS, pairs_of_targets
-from trimmer.design.surroundings import Around, Condition, conditions_of, study_around
-from trimmer.design.targets import Target
+from trimmer.design.specification.design_file import DesignFile
+from trimmer.design.specification.targets import Target
+from trimmer.design.trials.ranges import RangeStudy, study_ranges
+from trimmer.design.trials.remedies import Remedies
+from trimmer.design.trials.remedy_search import remedies
+from trimmer.design.trials.sensitivity import Sensitivities, sensitivities
+from trimmer.design.trials.surroundings import Around, Condition, conditions_of, study_around
 from trimmer.design.varied_places import VariedNumber, varied_places
 from trimmer.design.verdict import DesignVerdict, verdict_on
 from trimmer.maps.cells import Cell, CellResult

@@ -7,9 +7,9 @@ from enum import Enum
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.design.found_motion import FoundMotion
-from trimmer.design.plausible import largest_stroke
-from trimmer.design.targets import followers
+from trimmer.design.analysis.found_motion import FoundMotion
+from trimmer.design.analysis.plausible import largest_stroke
+from trimmer.design.specification.targets import followers
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text
 

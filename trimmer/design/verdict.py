@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 from enum import Enum
 
-from trimmer.design.found_motion import FoundMotion
+from trimmer.design.analysis.found_motion import FoundMotion
 from trimmer.design.motions import Motions
-from trimmer.design.ranges import RangeStudy
-from trimmer.design.surroundings import Around
-from trimmer.design.targets import Measure, Target
+from trimmer.design.specification.targets import Measure, Target
+from trimmer.design.trials.ranges import RangeStudy
+from trimmer.design.trials.surroundings import Around
 from trimmer.response.results.response import MotionKind
 
 NEAR = 0.02  # Distance from a bound, as a share of it, that counts as near

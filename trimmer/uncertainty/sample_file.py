@@ -5,8 +5,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import cast
 
-from trimmer.design.design_file import DesignFile, OpenRange, design_file_of_text, read_design_file
-from trimmer.design.targets import Target, is_stepped
+from trimmer.design.specification.design_file import (
+    DesignFile,
+    OpenRange,
+    design_file_of_text,
+    read_design_file,
+)
+from trimmer.design.specification.targets import Target, is_stepped
 from trimmer.errors import MechanismError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.problems import Problem, as_message_of_file

@@ -14,8 +14,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from trimmer.design.targets import Measure
-from trimmer.design.trial import MeasureOfPart, Trial, all_measures
+from trimmer.design.specification.targets import Measure
+from trimmer.design.trials.trial import MeasureOfPart, Trial, all_measures
 from trimmer.files import SAMPLES
 from trimmer.json_data import DataError, typed
 from trimmer.maps.inputs import described

@@ -10,8 +10,8 @@ from warnings import warn
 import numpy as np
 
 from trimmer.arrays import Flags, Reals
-from trimmer.design.targets import Measure, Target
-from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
+from trimmer.design.specification.targets import Measure, Target
+from trimmer.design.trials.trial import MeasureOfPart, Trial, TrialWork, all_measures
 from trimmer.maps.cells import waited_for
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.flow import Flow

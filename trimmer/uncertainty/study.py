@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.design.targets import Measure
-from trimmer.design.trial import MeasureOfPart, TrialWork, all_measures
+from trimmer.design.specification.targets import Measure
+from trimmer.design.trials.trial import MeasureOfPart, TrialWork, all_measures
 from trimmer.errors import UnsupportedMotionError
 from trimmer.harmonics.balance import require_balanceable
 from trimmer.mechanism.mechanism import Mechanism

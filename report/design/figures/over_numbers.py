@@ -11,13 +11,13 @@ from report.design.quantities import Scale, place_words, scale_for
 from report.pages.drawing.style import BLACK, FAINT, LINES, new_figure, panels
 from trimmer.arrays import Reals
 from trimmer.branches.special import SpecialKind
-from trimmer.design.design_file import OpenRange
-from trimmer.design.kept_map import DesignMap
-from trimmer.design.paths import NumberPath, PathSide
-from trimmer.design.ranges import RangeStudy
-from trimmer.design.sensitivity import Sensitivities
-from trimmer.design.targets import Measure, Target
-from trimmer.design.trial import MeasureOfPart
+from trimmer.design.parameter_studies.kept_map import DesignMap
+from trimmer.design.parameter_studies.paths import NumberPath, PathSide
+from trimmer.design.specification.design_file import OpenRange
+from trimmer.design.specification.targets import Measure, Target
+from trimmer.design.trials.ranges import RangeStudy
+from trimmer.design.trials.sensitivity import Sensitivities
+from trimmer.design.trials.trial import MeasureOfPart
 from trimmer.drawing.cells import draw_cells, edges
 from trimmer.drawing.look import plain_label
 from trimmer.drawing.mechanisms.kinds import categories, category, legend_of

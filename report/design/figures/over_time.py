@@ -11,7 +11,7 @@ from report.design.quantities import Scale, quantity_words, scale_for
 from report.pages.drawing.style import BLACK, FAINT, LINES, panels
 from trimmer.arrays import Reals
 from trimmer.design import FoundMotion, LinearState, LineKind, OutputSpectrum
-from trimmer.design.motion_signals import MotionSignals, Spans
+from trimmer.design.analysis.motion_signals import MotionSignals, Spans
 from trimmer.drawing.look import plain_label
 from trimmer.mechanism.linear.outputs import Contacts
 

@@ -5,7 +5,7 @@ from typing import Any, Final
 from report.numbers.future_work.kept import KeptAnswer
 from report.numbers.twin.mechanism import twin
 from trimmer import respond
-from trimmer.design.found_motion import of_settled
+from trimmer.design.analysis.found_motion import of_settled
 from trimmer.response.results.response_json import response_json
 
 HOUSING: Final = "housing"

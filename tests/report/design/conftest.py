@@ -12,7 +12,7 @@ from report.pages.formats import Format, Paper
 from tests.report.made_once import MadeOnce
 from trimmer import SerialRunner
 from trimmer.design import Design, DesignSettings
-from trimmer.design.design_file import design_file_of_text
+from trimmer.design.specification.design_file import design_file_of_text
 
 TEXT = """
 title = "Trimmer on the desk"

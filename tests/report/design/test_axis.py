@@ -19,9 +19,9 @@ from tests.trimmer.design.test_axis import AXIS
 from tests.trimmer.servos import SAMPLED, STICTION
 from trimmer import Mechanism, SerialRunner, forced_orbit
 from trimmer.design import DesignSettings, Study
-from trimmer.design.design_file import design_file_of_text
-from trimmer.design.found_motion import of_orbit
-from trimmer.design.linear import linear_states
+from trimmer.design.analysis.found_motion import of_orbit
+from trimmer.design.analysis.linear import linear_states
+from trimmer.design.specification.design_file import design_file_of_text
 from trimmer.design.varied_places import varied_places
 from trimmer.examples import example_text
 

@@ -7,8 +7,8 @@ from report.design.words import around_sentence, verdict_sentence
 from tests.trimmer.design.made import OSCILLATOR
 from trimmer import SerialRunner
 from trimmer.design import DesignOutcome, DesignSettings, Study
-from trimmer.design.design_file import design_file_of_text
-from trimmer.design.surroundings import SPEEDS, Beside
+from trimmer.design.specification.design_file import design_file_of_text
+from trimmer.design.trials.surroundings import SPEEDS, Beside
 from trimmer.uncertainty import with_uncertainty
 
 WANTED = """

@@ -10,7 +10,7 @@ import pytest
 from report.design.diagram.diagram import mechanism_diagram
 from report.design.diagram.layout import DiagramLayout, joints_of, layout_of
 from report.pages.drawing.style import style
-from trimmer.design.design_file import design_file_of_text
+from trimmer.design.specification.design_file import design_file_of_text
 from trimmer.examples import example_text, examples
 from trimmer.mechanism import GROUND, Mechanism
 

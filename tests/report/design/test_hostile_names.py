@@ -32,7 +32,7 @@ from tests.quick import quick
 from tests.report.rendering.page_checks import lead, loaded_from_elsewhere, opened, visited
 from trimmer import SerialRunner
 from trimmer.design import Design, DesignSettings, compared
-from trimmer.design.design_file import design_file_of_text
+from trimmer.design.specification.design_file import design_file_of_text
 from trimmer.drawing.look import plain_label
 from trimmer.mechanism.place_text import quoted
 

@@ -14,7 +14,7 @@ from report.design.report import DesignReport
 from trimmer import MechanismError, SerialRunner
 from trimmer.deadline import Deadline
 from trimmer.design import DesignFile, DesignSettings, Stage
-from trimmer.design.design_file import design_file_of_text
+from trimmer.design.specification.design_file import design_file_of_text
 from trimmer.examples import example_text, examples
 
 TINY = DesignSettings(

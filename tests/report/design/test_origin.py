@@ -14,7 +14,7 @@ from tests.report.design.conftest import TEXT
 from trimmer import MechanismError
 from trimmer.command_line.main import main
 from trimmer.design import read_design_file
-from trimmer.design.design_file import design_file_of_text
+from trimmer.design.specification.design_file import design_file_of_text
 
 BOTH = frozenset({Format.HTML, Format.PDF})
 

@@ -19,8 +19,8 @@ from trimmer.design import (
     Trial,
     VariedNumber,
 )
-from trimmer.design.remedies import Change
-from trimmer.design.surroundings import Around, Beside, Condition
+from trimmer.design.trials.remedies import Change
+from trimmer.design.trials.surroundings import Around, Beside, Condition
 
 SPEED = VariedNumber(NumberRole.SPEED, "frequency", "", "Hz", 20.0, 10.0, 30.0)
 SIDE = PathSide(10.0, np.array([20.0]), np.array([True]), {}, (), BranchEnd.OUT_OF_TIME, "the time is over")

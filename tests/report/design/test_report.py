@@ -27,7 +27,7 @@ from trimmer.design import (
     Sureness,
     compared,
 )
-from trimmer.design.remedies import Mend
+from trimmer.design.trials.remedies import Mend
 
 SECTIONS = (
     *("Verdict", "What nobody knows", "The targets over two numbers", "Move the numbers"),

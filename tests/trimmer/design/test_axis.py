@@ -15,8 +15,8 @@ from trimmer.design import (
     NumberRole,
     Study,
 )
-from trimmer.design.design_file import design_file_of_text
-from trimmer.design.trial import TrialWork, all_measures
+from trimmer.design.specification.design_file import design_file_of_text
+from trimmer.design.trials.trial import TrialWork, all_measures
 from trimmer.uncertainty.sample_file import sample_file_of_text
 
 AXIS = """

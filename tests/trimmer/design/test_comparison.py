@@ -18,7 +18,7 @@ from trimmer.design import (
     Study,
     compared,
 )
-from trimmer.design.design_file import design_file_of_text
+from trimmer.design.specification.design_file import design_file_of_text
 
 STROKE = MeasureOfPart(Measure.STROKE, "block")
 

@@ -7,7 +7,7 @@ import pytest
 
 from trimmer import Mechanism, MechanismError
 from trimmer.design import DesignFile, Measure, read_design_file
-from trimmer.design.design_file import design_file_of_text
+from trimmer.design.specification.design_file import design_file_of_text
 from trimmer.examples import example_text
 
 TEXT = """

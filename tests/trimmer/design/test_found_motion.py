@@ -12,8 +12,8 @@ from tests.trimmer.design.made import oscillator, oscillator_amplitude
 from trimmer import Mechanism, MotionKind, forced_orbit
 from trimmer.contact.flow import MechanismFlow
 from trimmer.design import HandArm, Measure, hand_arm_weighting
-from trimmer.design.found_motion import of_orbit, of_settled
-from trimmer.design.hand_arm import hand_arm_of_orbit, hand_arm_of_samples
+from trimmer.design.analysis.found_motion import of_orbit, of_settled
+from trimmer.design.analysis.hand_arm import hand_arm_of_orbit, hand_arm_of_samples
 from trimmer.examples import example_text
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism import Body, Force, Friction, Link, Output

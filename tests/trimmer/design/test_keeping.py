@@ -8,9 +8,9 @@ import pytest
 
 from trimmer import SerialRunner
 from trimmer.design import DesignFile, DesignMap, DesignSettings
-from trimmer.design.design_file import design_file_of_text
-from trimmer.design.keeping import Keeper
-from trimmer.design.kept_map import design_map
+from trimmer.design.parameter_studies.keeping import Keeper
+from trimmer.design.parameter_studies.kept_map import design_map
+from trimmer.design.specification.design_file import design_file_of_text
 from trimmer.design.varied_places import varied_places
 from trimmer.examples import example_text
 

@@ -10,9 +10,9 @@ from trimmer import Friction, Mechanism, MotionKind, SerialRunner, Stop, forced_
 from trimmer.deadline import NEVER
 from trimmer.design import DesignSettings, Measure, MeasureOfPart, Target
 from trimmer.design.motions import motions_from_starts
-from trimmer.design.remedy_search import remedies
-from trimmer.design.sensitivity import sensitivities
-from trimmer.design.trial import TrialWork
+from trimmer.design.trials.remedy_search import remedies
+from trimmer.design.trials.sensitivity import sensitivities
+from trimmer.design.trials.trial import TrialWork
 from trimmer.runners.timed import TimedRunner
 
 STROKE = MeasureOfPart(Measure.STROKE, "block")

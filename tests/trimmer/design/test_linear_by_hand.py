@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from trimmer.design.linear import driving, linear_states
+from trimmer.design.analysis.linear import driving, linear_states
 from trimmer.mechanism import ContactLaw, Contacts, Mechanism
 
 THREE = Mechanism.from_toml_text("""

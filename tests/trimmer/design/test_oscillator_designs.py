@@ -29,14 +29,14 @@ from trimmer.design import (
     VariedNumber,
     read_design_file,
 )
-from trimmer.design.forecast import AMPLE, EFFORT
-from trimmer.design.keeping import Keeper
 from trimmer.design.motions import motions_from_starts, with_neighbours
-from trimmer.design.remedies import Mend
-from trimmer.design.remedy_search import ALIKE, remedies
-from trimmer.design.sensitivity import designable, sensitivities
-from trimmer.design.strongest import pairs_of_targets
-from trimmer.design.surroundings import SPEEDS, Beside, conditions_of
+from trimmer.design.parameter_studies.keeping import Keeper
+from trimmer.design.parameter_studies.strongest import pairs_of_targets
+from trimmer.design.trials.forecast import AMPLE, EFFORT
+from trimmer.design.trials.remedies import Mend
+from trimmer.design.trials.remedy_search import ALIKE, remedies
+from trimmer.design.trials.sensitivity import designable, sensitivities
+from trimmer.design.trials.surroundings import SPEEDS, Beside, conditions_of
 from trimmer.design.varied_places import varied_places
 from trimmer.mechanism import Body, Force, Friction, Link, Pin, Play, Stop
 from trimmer.runners.timed import TimedRunner

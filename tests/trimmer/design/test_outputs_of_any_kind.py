@@ -6,7 +6,7 @@ import pytest
 from tests.trimmer.design.made import OSCILLATOR
 from trimmer import MechanismError, SerialRunner
 from trimmer.design import DesignOutcome, DesignSettings, Study
-from trimmer.design.design_file import design_file_of_text
+from trimmer.design.specification.design_file import design_file_of_text
 
 OTHERS = """
 speed = { velocity = { block = 1 } }

@@ -6,7 +6,7 @@ import pytest
 from tests.trimmer.design.made import motion, oscillator, oscillator_amplitude
 from trimmer.branches import BranchEnd, SpecialKind
 from trimmer.design import NumberRole, PathSide, SpecialOnPath, VariedNumber
-from trimmer.design.paths import path_through
+from trimmer.design.parameter_studies.paths import path_through
 
 
 def special(kind: SpecialKind, value: float) -> SpecialOnPath:

@@ -8,10 +8,10 @@ import pytest
 from tests.trimmer.design.made import contact, friction, motion, output
 from trimmer import respond
 from trimmer.design import Oddity, Question
-from trimmer.design.assumed_range import assumed_range
-from trimmer.design.design_file import design_file_of_text
-from trimmer.design.found_motion import of_settled
-from trimmer.design.plausible import questions
+from trimmer.design.analysis.found_motion import of_settled
+from trimmer.design.analysis.plausible import questions
+from trimmer.design.specification.assumed_range import assumed_range
+from trimmer.design.specification.design_file import design_file_of_text
 from trimmer.examples import example_text
 from trimmer.mechanism import Body, Friction, Link, Mechanism, Pin, Play, Stop
 

@@ -11,8 +11,8 @@ from scipy.stats import qmc
 from tests.trimmer.design.made import oscillator
 from trimmer import MotionKind
 from trimmer.design import DesignSettings, Measure, MeasureOfPart, OpenRange, RangeStudy, Target, Trial
-from trimmer.design.ranges import study_ranges
-from trimmer.design.trial import TrialWork
+from trimmer.design.trials.ranges import study_ranges
+from trimmer.design.trials.trial import TrialWork
 
 STROKE = MeasureOfPart(Measure.STROKE, "block")
 TARGET = Target("stroke_at_least", Measure.STROKE, "block", 3.0)

@@ -11,10 +11,10 @@ from tests.trimmer.design.made import OSCILLATOR
 from trimmer import MotionKind, SerialRunner
 from trimmer.deadline import Deadline
 from trimmer.design import DesignSettings, NumberRole, Remedies, Remedy, Stage, Study, VariedNumber
-from trimmer.design.design_file import design_file_of_text
-from trimmer.design.remedies import Change
-from trimmer.design.solved_grid import MovedNumber, SolvedGrid, numbers_to_move, solved_grid
-from trimmer.design.surroundings import Around
+from trimmer.design.parameter_studies.solved_grid import MovedNumber, SolvedGrid, numbers_to_move, solved_grid
+from trimmer.design.specification.design_file import design_file_of_text
+from trimmer.design.trials.remedies import Change
+from trimmer.design.trials.surroundings import Around
 
 SPEED = VariedNumber(NumberRole.SPEED, "frequency", "", "Hz", 20.0, 10.0, 30.0)
 DAMPING = VariedNumber(NumberRole.OTHER, "links.spring.damping", "", "N s/m", 4.0, 0.0, 16.0)

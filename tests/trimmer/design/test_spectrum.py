@@ -5,7 +5,7 @@ import pytest
 
 from tests.trimmer.design.made import motion, output
 from trimmer.design import LinearMode, LinearState, LineKind, OutputSpectrum
-from trimmer.design.spectrum import spectra
+from trimmer.design.analysis.spectrum import spectra
 from trimmer.mechanism import Contacts
 
 

@@ -6,8 +6,8 @@ import pytest
 
 from trimmer import MechanismError, MotionKind, SerialRunner, simulate
 from trimmer.design import DesignFile, DesignOutcome, DesignSettings, Measure, MeasureOfPart, Study, Sureness
-from trimmer.design.design_file import design_file_of_text
-from trimmer.design.trial import TrialWork, all_measures
+from trimmer.design.specification.design_file import design_file_of_text
+from trimmer.design.trials.trial import TrialWork, all_measures
 
 MACHINE = """
 [bodies]

@@ -8,7 +8,7 @@ import pytest
 from tests.trimmer.design.made import oscillator, oscillator_amplitude
 from trimmer import Friction, Mechanism, MotionKind
 from trimmer.design import Measure, MeasureOfPart, Target
-from trimmer.design.trial import TrialWork, all_measures
+from trimmer.design.trials.trial import TrialWork, all_measures
 from trimmer.examples import example_text
 
 STROKE, PERIOD = MeasureOfPart(Measure.STROKE, "block"), MeasureOfPart(Measure.PERIOD, "")

@@ -8,7 +8,7 @@ import pytest
 from scipy.linalg import eigh
 
 from trimmer import Friction, Link, Mechanism, MechanismError, Output, Pin, Play, Stop, TrimmerError, simulate
-from trimmer.design.linear import all_drives, linear_state, linear_states
+from trimmer.design.analysis.linear import all_drives, linear_state, linear_states
 from trimmer.mechanism import Body, Force, OutputKind, linear_matrices
 
 MACHINE = Mechanism(

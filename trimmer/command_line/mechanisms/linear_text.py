@@ -17,7 +17,7 @@ from trimmer.showing.shown import counted
 
 if TYPE_CHECKING:
     from trimmer.contact.control_loops import ControlLoops
-    from trimmer.design.linear import LinearState, TransferFunction
+    from trimmer.design.analysis.linear import LinearState, TransferFunction
     from trimmer.linear.margins import Margins
     from trimmer.mechanism.mechanism import Mechanism
 
@@ -27,7 +27,7 @@ STILL = 5e-4  # Share of the largest displacement of a mode that is shown as 0
 
 def chosen_states(mechanism: Mechanism, texts: Sequence[str]) -> tuple[LinearState, ...]:
     """Return the linear mechanism in states of its contacts, such as ``closed`` and ``bridge=open``."""
-    from trimmer.design.linear import all_drives, linear_state, linear_states
+    from trimmer.design.analysis.linear import all_drives, linear_state, linear_states
 
     drives = all_drives(mechanism)
     if not texts:

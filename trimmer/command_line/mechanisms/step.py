@@ -32,7 +32,7 @@ def _configure(parser: ArgumentParser) -> None:
 
 def _run(arguments: Namespace) -> int:
     from trimmer.command_line.mechanisms.step_text import as_json, as_text
-    from trimmer.design.design_file import read_with_targets
+    from trimmer.design.specification.design_file import read_with_targets
     from trimmer.mechanism.places import assignment
     from trimmer.response.step.step import step_response
 

@@ -9,8 +9,8 @@ from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.mechanisms.motion_text import motion_json
 from trimmer.command_line.motion_summary import summary_lines
 from trimmer.command_line.table import table
-from trimmer.design.found_step import ROUNDING, found_step
-from trimmer.design.targets import OF_STEP, Measure, Target
+from trimmer.design.analysis.found_step import ROUNDING, found_step
+from trimmer.design.specification.targets import OF_STEP, Measure, Target
 from trimmer.design.verdict import JudgedTarget
 from trimmer.response.results.response_json import response_json
 

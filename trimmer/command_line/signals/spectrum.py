@@ -184,7 +184,7 @@ def _against(
     """
     from trimmer.command_line.signals.overlay import chosen_output, compared_motion
     from trimmer.command_line.signals.spectrum_text import PredictedFrequencies
-    from trimmer.design.linear import linear_states
+    from trimmer.design.analysis.linear import linear_states
 
     mechanism = mechanism_with(arguments.against, arguments.set)
     named = arguments.displacement if is_given(arguments, "displacement") else None

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from trimmer.design.linear import LinearState
+from trimmer.design.analysis.linear import LinearState
 from trimmer.drawing.axes import add_legend
 from trimmer.drawing.content import head, new_figure
 from trimmer.drawing.look import BLACK, FAINT, colour, line, plain_label

@@ -8,9 +8,9 @@ from itertools import takewhile
 import numpy as np
 
 from trimmer.deadline import NEVER, Deadline
-from trimmer.design.found_motion import FoundMotion
-from trimmer.design.targets import Measure, is_stepped
-from trimmer.design.trial import MeasureOfPart, TrialWork, all_measures, measured
+from trimmer.design.analysis.found_motion import FoundMotion
+from trimmer.design.specification.targets import Measure, is_stepped
+from trimmer.design.trials.trial import MeasureOfPart, TrialWork, all_measures, measured
 from trimmer.errors import TrimmerError
 from trimmer.mechanism.kinds import numbers_of_part
 from trimmer.mechanism.mechanism import Mechanism

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum, auto
 
-from trimmer.design.found_motion import FoundMotion
+from trimmer.design.analysis.found_motion import FoundMotion
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import place_text

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
 
-from trimmer.design.found_motion import FoundMotion
-from trimmer.design.linear import LinearMode, LinearState
+from trimmer.design.analysis.found_motion import FoundMotion
+from trimmer.design.analysis.linear import LinearMode, LinearState
 from trimmer.mechanism.linear.outputs import Contacts
 from trimmer.response.periodic.pace import DRIVE_PERIOD
 

@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.design.found_motion import SEEN
-from trimmer.design.remedies import Remedies
+from trimmer.design.analysis.found_motion import SEEN
+from trimmer.design.parameter_studies.strongest import number_drawn
 from trimmer.design.settings import DesignSettings
-from trimmer.design.strongest import number_drawn
-from trimmer.design.targets import Measure, Target
-from trimmer.design.trial import MeasureOfPart, measured, measures_of_settled, of_switching
+from trimmer.design.specification.targets import Measure, Target
+from trimmer.design.trials.remedies import Remedies
+from trimmer.design.trials.trial import MeasureOfPart, measured, measures_of_settled, of_switching
 from trimmer.design.varied_places import VariedNumber
 from trimmer.errors import TrimmerError
 from trimmer.maps.inputs import varied

@@ -9,7 +9,7 @@ from trimmer.arrays import Flags, Reals
 from trimmer.branches import BranchEnd, FollowedBranch, FollowedOrbit, FollowSettings, SpecialKind
 from trimmer.branches.follow import follow
 from trimmer.deadline import NEVER, Deadline
-from trimmer.design.found_motion import FoundMotion
+from trimmer.design.analysis.found_motion import FoundMotion
 from trimmer.design.varied_places import VariedNumber
 from trimmer.mechanism.mechanism import Mechanism
 

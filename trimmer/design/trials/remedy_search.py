@@ -14,14 +14,22 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.design.forecast import AMPLE, EFFORT, Forecast, Scan, is_regular, logs_of, scan_of
 from trimmer.design.motions import motions_from_starts
-from trimmer.design.remedies import Change, Mend, Remedies, Remedy
-from trimmer.design.sensitivity import Sensitivities, designable
 from trimmer.design.settings import DesignSettings
-from trimmer.design.surroundings import Around, Beside, Condition, Numbers, margins, study_around, trials_of
-from trimmer.design.targets import Measure, Target, is_stepped, is_switched
-from trimmer.design.trial import MeasureOfPart, Trial
+from trimmer.design.specification.targets import Measure, Target, is_stepped, is_switched
+from trimmer.design.trials.forecast import AMPLE, EFFORT, Forecast, Scan, is_regular, logs_of, scan_of
+from trimmer.design.trials.remedies import Change, Mend, Remedies, Remedy
+from trimmer.design.trials.sensitivity import Sensitivities, designable
+from trimmer.design.trials.surroundings import (
+    Around,
+    Beside,
+    Condition,
+    Numbers,
+    margins,
+    study_around,
+    trials_of,
+)
+from trimmer.design.trials.trial import MeasureOfPart, Trial
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place
 from trimmer.runners.timed import TimedRunner

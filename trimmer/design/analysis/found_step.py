@@ -8,8 +8,8 @@ import numpy as np
 
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.readouts.control_readouts import control_signal, largest_demand
-from trimmer.design.motion_signals import MotionSignals, signals_of
-from trimmer.design.targets import Measure, followers
+from trimmer.design.analysis.motion_signals import MotionSignals, signals_of
+from trimmer.design.specification.targets import Measure, followers
 from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.advance import Ending
 from trimmer.mechanism import Mechanism, StepReference

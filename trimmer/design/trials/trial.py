@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trimmer.design.found_step import steps_tried
-from trimmer.design.targets import (
+from trimmer.design.analysis.found_step import steps_tried
+from trimmer.design.specification.targets import (
     OF_CLOSING,
     OF_REPEATING,
     OF_STEP,

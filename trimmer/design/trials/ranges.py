@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Flags, Integers, Reals
-from trimmer.design.design_file import OpenRange
 from trimmer.design.settings import DesignSettings
-from trimmer.design.targets import Target, is_switched
-from trimmer.design.trial import MeasureOfPart, Trial, TrialWork, all_measures
+from trimmer.design.specification.design_file import OpenRange
+from trimmer.design.specification.targets import Target, is_switched
+from trimmer.design.trials.trial import MeasureOfPart, Trial, TrialWork, all_measures
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.runners.runner import Runner
 

@@ -8,8 +8,8 @@ from typing import Any, Protocol
 
 from trimmer.arguments import file_path
 from trimmer.arrays import Reals
-from trimmer.design.assumed_range import assumed_range
-from trimmer.design.targets import OF_STEP, Target, followers, is_switched, targets_of
+from trimmer.design.specification.assumed_range import assumed_range
+from trimmer.design.specification.targets import OF_STEP, Target, followers, is_switched, targets_of
 from trimmer.errors import MechanismError
 from trimmer.mechanism.checks import LONGEST_TITLE
 from trimmer.mechanism.coordinates import shaken_ends

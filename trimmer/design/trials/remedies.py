@@ -3,8 +3,8 @@
 import math
 from dataclasses import dataclass
 
-from trimmer.design.surroundings import Around, Beside
-from trimmer.design.targets import Target
+from trimmer.design.specification.targets import Target
+from trimmer.design.trials.surroundings import Around, Beside
 
 LEAST = 0.02  # Logarithm of a factor up to which a number is as it was
 

@@ -5,10 +5,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
-from trimmer.design.keeping import Keeper
+from trimmer.design.parameter_studies.keeping import Keeper
 from trimmer.design.settings import DesignSettings
-from trimmer.design.targets import Measure, Target, followers, is_switched
-from trimmer.design.trial import MeasureOfPart, TrialWork
+from trimmer.design.specification.targets import Measure, Target, followers, is_switched
+from trimmer.design.trials.trial import MeasureOfPart, TrialWork
 from trimmer.design.varied_places import VariedNumber
 from trimmer.maps.cells import Cell, CellMotion, CellResult, CellWork
 from trimmer.maps.inputs import MapInputs, Settings, checked_inputs

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Flags, Reals
-from trimmer.design.targets import OF_CLOSING, OF_STEP, Measure, Target
-from trimmer.design.trial import Trial
+from trimmer.design.specification.targets import OF_CLOSING, OF_STEP, Measure, Target
+from trimmer.design.trials.trial import Trial
 
 GRID = 81  # Values of each number at which a forecast is made, twice: over the range, then around the best
 AMPLE = 0.4  # Margin beyond which more is no better, so that the smaller change is taken

@@ -3,10 +3,10 @@
 import itertools
 from collections.abc import Iterator
 
-from trimmer.design.remedies import Remedies
-from trimmer.design.sensitivity import Sensitivities
-from trimmer.design.targets import Measure, Target
-from trimmer.design.trial import MeasureOfPart
+from trimmer.design.specification.targets import Measure, Target
+from trimmer.design.trials.remedies import Remedies
+from trimmer.design.trials.sensitivity import Sensitivities
+from trimmer.design.trials.trial import MeasureOfPart
 from trimmer.design.varied_places import NumberRole, VariedNumber
 from trimmer.errors import TrimmerError
 from trimmer.mechanism.mechanism import Mechanism

@@ -7,10 +7,10 @@ from enum import Enum
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.design.design_file import Scattering
 from trimmer.design.settings import DesignSettings
-from trimmer.design.targets import Target
-from trimmer.design.trial import MeasureOfPart, Trial, TrialWork
+from trimmer.design.specification.design_file import Scattering
+from trimmer.design.specification.targets import Target
+from trimmer.design.trials.trial import MeasureOfPart, Trial, TrialWork
 from trimmer.errors import TrimmerError
 from trimmer.maps.inputs import varied
 from trimmer.mechanism.mechanism import Mechanism

@@ -1,0 +1,1 @@
+"""What is asked of a design: its file, its targets, and how large unknown numbers may be."""

@@ -1,0 +1,1 @@
+"""Mechanisms with other numbers, tried cheaply: sensitivities, scatter, unknown ranges, remedies."""
