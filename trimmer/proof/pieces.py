@@ -42,13 +42,13 @@ def pieces(motion: BallMotion, over: Followed, free: tuple[int, ...] = ()) -> It
     No event function but the one that ends a segment comes to zero, but for what is zero at its start by law,
     and for those that are left free.
     """
-    before: float | None = 0.0
+    before = 0.0
     largest, begun = [arb(0)] * motion.n, arb(0)
     for number, segment in enumerate(motion.segments):
         end, late, told = over.ends[number], over.lates[number], motion.course.segments[number]
         _require_demands(segment, end, f"at the end of segment {number}")
-        at_once = told.at == before and told.duration == 0  # two things at one time
-        before = told.at
+        at_once = told.at == before and told.duration == 0  # A clock does two things at one time.
+        before = math.nan if told.at is None else told.at
         if not at_once:
             if not segment.duration + late > 0:
                 raise RefutedError(f"segment {number} ends before it begins")

@@ -195,7 +195,7 @@ class Plane:
         """Take den + N num, the linear part of the element already in den."""
         self.num, self.den, self.element = num, den, ElementGain(parts)
         self.sides = in_balls(along_axis(num)), in_balls(along_axis(den))
-        self.order = den.degree()
+        self.order = max(den.degree(), num.degree())
         self.found: list[tuple[Box, Solved]] = []
         self.examined = 0
 

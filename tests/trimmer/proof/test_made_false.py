@@ -4,6 +4,7 @@ What a change leaves true may be proven: each change here makes the theorem anot
 the file say what nothing verifies.
 """
 
+import math
 from collections.abc import Callable
 from copy import deepcopy
 from dataclasses import replace
@@ -106,6 +107,24 @@ def halved_at_its_start(data: Data) -> None:
         equations["resets"][0][i][i] /= 2
 
 
+def past_a_wall_in_no_time(data: Data) -> None:
+    """Let events come at angles of the drive; between two, told as 0 s apart, a function is negative."""
+    motion, equations = data["motion"], data["equations"]
+    size, (whole,) = len(equations["resets"][0]), motion["segments"]
+
+    def falls(sign: float, angle: float) -> list[float]:
+        return [0.0] * (size - 2) + [sign, -sign * math.cos(angle)]
+
+    functions = [falls(1.0, 1.0)], [falls(1.0, 1.0 + 1e-6), [0.0] * (size - 1) + [-1.0]], [falls(-1.0, 0.5)]
+    equations["modes"] = [{**equations["modes"][0], "functions": each} for each in functions]
+    told = (0, 1.0, 0), (1, 0.0, 0), (2, math.tau - 1.5, 0), (0, 0.5, None)
+    motion["segments"] = [
+        {**whole, "mode": mode, "duration": angle * equations["period"] / math.tau, "fired": fired}
+        for mode, angle, fired in told
+    ]
+    equations["resets"] *= len(told)
+
+
 def without_limits(data: Data) -> None:
     for each in data["motion"]["segments"]:
         each["strict"] = []
@@ -153,6 +172,7 @@ CHANGES = [
     ("without events", lasts(-1.0), "a period is not positive"),
     ("without events", lasts(0.0), "a period is not positive"),
     ("without events", halved_at_its_start, "the states jump where the motion begins"),
+    ("without events", past_a_wall_in_no_time, "event function 1 of segment 1 is negative within it"),
     (
         "without events",
         OFF_IN_ITS_UNITS,
@@ -219,6 +239,19 @@ def test_what_a_list_says_besides_is_refused(tmp_path: Path) -> None:
     original = written("list", "the thesis's")
     require_refused(tmp_path / "list.json", original, stable, "unknown key 'stable'")
     require_refused(tmp_path / "list.json", original, with_two_outputs, "do not fit together")
+
+
+def grown(data: Data) -> None:
+    """Let G be (a s^3 + b s^2)/(s + 1), a and b such that 1 + N G = 0 at 300 rad/s and 50 times the width."""
+    gain = 4 / math.pi / 5.0 * (math.sqrt(1 - 0.02**2) - 0.02j)
+    needed = -(1 + 300j) / gain
+    numerator = [-needed.imag / 300**3, -needed.real / 300**2, 0.0, 0.0]
+    data.update(plant={"numerator": numerator, "denominator": [1.0, 1.0]}, limit_cycles=[])
+
+
+def test_of_a_plant_that_grows_with_the_frequency_no_list_is_complete(tmp_path: Path) -> None:
+    original = written("list", "hysteresis before an integrator")
+    require_refused(tmp_path / "list.json", original, grown, "nothing excludes solutions towards infinite")
 
 
 def test_a_larger_range_is_another_theorem_that_is_false(tmp_path: Path) -> None:
