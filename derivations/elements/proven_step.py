@@ -118,9 +118,11 @@ class ProvenStep:
             ValueError: if an integrand is not such as ``harmonics.antiderivative`` takes.
         """
         means = Counter(equality.prove().method for equality in self.equalities)
-        proofs = ", ".join(
-            f"{method.removeprefix('difference ')} ({count})" for method, count in means.items()
+        ways = (
+            method.removeprefix("difference ") + (f" ({count})" if len(means) > 1 else "")
+            for method, count in means.items()
         )
+        proofs = " or ".join(ways).replace(" or is zero", " or")
         text = f"{self.text}\n\nProven equations: {means.total()}. The difference of both sides {proofs}."
         formulas = (line.formula if isinstance(line, Equality) else line for line in self.lines)
         return NarrativeStep(self.id, self.title, text, tuple(formulas), self.code)

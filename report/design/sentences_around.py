@@ -97,7 +97,7 @@ def branch_sentences(path: NumberPath) -> str:
         solved = f"{count(len(side.values), 'orbit')} {'was' if len(side.values) == 1 else 'were'}"
         told.append(f"Towards {way} values it {reach}; {solved} solved.")
         if not side.reason.is_success:
-            told.append(f"It was not followed to the end: {side.reason.value}.")
+            told.append(f"The branch ends before the range does: {side.reason.value}.")
     if path.varied.bounded:
         told.append("The range ends at the static force, which the kinetic one never exceeds.")
     return " ".join(told)
