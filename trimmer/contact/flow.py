@@ -12,29 +12,10 @@ import numpy as np
 from trimmer.arrays import Complexes, Reals
 from trimmer.contact.machine.machine import machine_of
 from trimmer.contact.machine.statuses import (
-    ALWAYS,
-    BACKWARD,
     CONTACT_MADE,
-    FORWARD,
-    FREE,
     IMPACT,
-    LOOSE,
-    MINUS,
-    PLUS,
-    RELAXES,
-    RELAXING,
-    RELEASED_MINUS,
-    RELEASED_PLUS,
-    STICK,
-    TRUNCATES,
 )
-from trimmer.contact.modes.assembly import force_of
-from trimmer.contact.modes.control_limits import limits_at
-from trimmer.contact.modes.curves import add_least_curves, segments_at
-from trimmer.contact.modes.impulses import NEARLY, at_gap
-from trimmer.contact.modes.joint import decide
 from trimmer.contact.modes.system import MechanismSystem
-from trimmer.contact.modes.transitions import held_parts
 from trimmer.contact.readouts.impacts import grazed_walls, impact_at
 from trimmer.contact.readouts.outputs import forces_at, outputs_of
 from trimmer.contact.readouts.readouts import (
@@ -45,20 +26,19 @@ from trimmer.contact.readouts.readouts import (
     wall_measures,
 )
 from trimmer.contact.sampled import SampledControllers
+from trimmer.contact.stability import NEGLIGIBLE, damping, is_bounded, is_mirror_symmetric
+from trimmer.contact.start import instant_at, set_free
 from trimmer.contact.start_within_walls import require_within_walls
 from trimmer.contact.state.frame import Frame, frame_of
-from trimmer.contact.state.references import references_in, settled_references
+from trimmer.contact.state.references import settled_references
 from trimmer.hybrid.advance import Instant
 from trimmer.hybrid.affine_modes import Change, is_straight
-from trimmer.hybrid.system import ARRIVED, NO_STATE, STRUCK, ModeEquations, System
+from trimmer.hybrid.system import ModeEquations, System
 from trimmer.hybrid.tables import Modes
-from trimmer.hybrid.tabulated_change import AT_REST
-from trimmer.mechanism import Mechanism, SineReference
-from trimmer.mechanism.coordinates import inertia_of
+from trimmer.mechanism import Mechanism
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.parts import COUPLINGS
 from trimmer.mechanism.structures.ends import modes_in
-from trimmer.mechanism.waves import mean_of
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.part import Part
@@ -66,13 +46,9 @@ from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
 from trimmer.motion.signals import Readout, Signal
 from trimmer.motion.subject import Subject
 from trimmer.motion.units import Units
-from trimmer.sides import DIFFERENT
 
-NEGLIGIBLE = 1e-9
-"""Share of the largest velocity of a motion, or eigenvalue of a matrix, below which another may be none."""
 NO_MORE = 1e-14  # Share of the largest displacement or velocity up to which another one is rounding
 STRETCHED = 1e-2  # Least scale of the stretch of a relaxing spring, relative to the largest displacement
-ROUNDING = 64 * float(np.finfo(float).eps)  # Rounding of a sum as a share of the moduli of its terms
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,70 +141,7 @@ class MechanismFlow(Flow):
             like: An instant of a neighbouring motion, whose contacts hold and whose frictions stick in this
                 one too; the state is made to fit.
         """
-        machine, layout = self.modes.system.machine, self.modes.system.layout
-        periods = like.periods if like is not None and layout.drifts else 0
-        extended = np.concatenate([state, layout.forcing_at(phase, periods * layout.period)])
-        for wall in range(len(machine.restitution)):
-            extended = at_gap(machine, wall, extended)
-        if like is not None:
-            held = self.modes[self.modes.number(like.statuses)].hold @ extended
-            return replace(like, state=held[: self.size], periods=periods, phase=phase)
-        contacts = [self._contact(contact, extended, stretched) for contact in range(len(machine.stiffness))]
-        negligible = 2.0**-56 * abs(machine.contact_distance @ extended)
-        speeds = machine.friction_rate @ extended
-        # A wave that turns back is at rest, although the cosine of its phase is rounding.
-        largest = np.concatenate([abs(extended[: self.size]), np.ones(layout.forcing)])
-        sizes = abs(machine.friction_rate) @ largest
-        slow = abs(speeds) <= AT_REST * sizes
-        frictions = [
-            STICK if rest else FORWARD if v > 0 else BACKWARD for v, rest in zip(speeds, slow, strict=True)
-        ]
-        walls, reached, resting = (LOOSE for _ in machine.restitution), np.zeros(0), np.zeros(0, dtype=bool)
-        if len(machine.restitution):
-            distances, rates = machine.wall_distance @ extended, machine.wall_rate @ extended
-            reached = abs(distances) <= NEARLY * (abs(machine.wall_distance) @ largest)
-            resting = reached & (abs(rates) <= AT_REST * (abs(machine.wall_rate) @ largest))
-        limits = limits_at(machine, extended)
-        statuses = (*contacts, *frictions, *segments_at(machine, extended), *limits, *walls)
-        at_rest = np.flatnonzero([*slow, *resting])
-        zeros = np.zeros((len(statuses), self.modes.system.action_count), dtype=np.int64)
-        if len(at_rest):
-            statuses = decide(machine, statuses, extended, at_rest)
-            held = held_parts(machine, statuses)
-            begun = [part for part in machine.holds[at_rest].tolist() if part not in held]
-            zeros[begun, ARRIVED] = 1
-        if len(machine.restitution):
-            zeros[machine.holds[len(frictions) :], STRUCK] = np.where(reached, 1 + resting, 0)
-        return Instant(extended[: self.size], statuses, 0, phase, zeros, negligible)
-
-    def _contact(self, contact: int, extended: Reals, stretched: bool) -> int:
-        """Return the status of a contact, and set the stretch of its spring if that is not given."""
-        machine = self.modes.system.machine
-        z = machine.relaxing_state[contact]
-        relaxes = z != NO_STATE
-        distance = machine.contact_distance[contact] @ extended
-        upper, lower = machine.offsets[contact]
-        if machine.always[contact]:
-            if relaxes:
-                extended[z] = distance
-            return ALWAYS
-        nearest = distance - min(max(distance, lower), upper)
-        if relaxes and not stretched:
-            extended[z] = nearest
-        held = relaxes and stretched and extended[z] != 0
-        reach = distance - extended[z] if held else distance
-        # Behind a spring the distance at which contact begins is known to its rounding.
-        near = AT_REST * (abs(distance) + abs(extended[z])) if held else 0.0
-        side = PLUS if reach >= upper - near else MINUS if reach <= lower + near else FREE
-        if side == FREE:
-            return RELAXING if held else FREE
-        force = force_of(machine, contact, side) @ extended
-        force = force if side == PLUS else -force
-        if machine.law[contact] == RELAXES:
-            return side if force >= 0 else RELAXING
-        if machine.law[contact] == TRUNCATES and force < 0:
-            return RELEASED_PLUS if side == PLUS else RELEASED_MINUS
-        return side
+        return instant_at(self.modes, state, phase, stretched, like)
 
     def travelling(self, course: Course) -> tuple[MechanismFlow, Course]:
         """Return a motion in the frame that moves evenly, at its leaders' mean velocities, and its flow.
@@ -393,30 +306,7 @@ class MechanismFlow(Flow):
         What is just at its edge goes where the change leads. A friction whose kinetic force is less than the
         static one may leave for good; stick is taken to hold.
         """
-        machine, free = self.modes.system.machine, list(begin.statuses)
-        rates = machine.friction_rate[:, : len(change)]
-        speeds, contacts = rates @ change, len(machine.stiffness)
-        moves = abs(speeds) > DIFFERENT * (abs(rates) @ abs(change))
-        for friction in np.flatnonzero(moves).tolist():
-            drops = machine.static[friction] > machine.kinetic[friction]
-            if begin.statuses[contacts + friction] == STICK and not drops:
-                free[contacts + friction] = FORWARD if speeds[friction] > 0 else BACKWARD
-        ahead, behind = (self._beside(begin, each) for each in (change, -change))
-        # What is alike to both sides is far from its edge, and goes on as it is.
-        for place in (place for place in ahead if ahead[place] != behind[place]):
-            free[place] = ahead[place]
-        return tuple(free)
-
-    def _beside(self, begin: Instant, change: Reals) -> dict[int, int]:
-        """Return statuses of contacts, curves and limits, by their place, beside an instant."""
-        machine, layout = self.modes.system.machine, self.modes.system.layout
-        forcing = layout.forcing_at(begin.phase, begin.periods * layout.period if layout.drifts else 0.0)
-        hold = self.modes[self.modes.number(begin.statuses)].hold
-        extended = hold @ np.concatenate([begin.state + change, forcing])
-        contacts, later = len(machine.stiffness), len(machine.stiffness) + len(machine.friction_rate)
-        touched = {each: self._contact(each, extended.copy(), True) for each in range(contacts)}
-        others = *segments_at(machine, extended), *limits_at(machine, extended)
-        return touched | dict(enumerate(others, later))
+        return set_free(self.modes, begin, change)
 
     @property
     def rubbing(self) -> tuple[str, ...]:
@@ -467,22 +357,7 @@ class MechanismFlow(Flow):
         Plays and frictions act on both sides alike; stops do not, nor do constant forces, offsets and
         velocities of pins, and even orders.
         """
-        mechanism = self.mechanism
-        odd = all(order % 2 == 1 for order in self.modes.system.layout.orders)
-        centred = all(mean_of(pin) == 0 and pin.velocity == 0 for pin in mechanism.pins.values())
-        pushed = any(mean_of(force) != 0 for force in mechanism.forces.values()) or not all(
-            link.is_odd for link in mechanism.links.values()
-        )
-        constant = any(not isinstance(each, SineReference) for each in references_in(mechanism))
-        return (
-            bool(self.period)
-            and not constant
-            and odd
-            and centred
-            and not pushed
-            and not mechanism.stops
-            and not mechanism.walls
-        )
+        return is_mirror_symmetric(self.mechanism, self.modes.system.layout, self.period)
 
     @property
     def is_bounded(self) -> bool:
@@ -491,18 +366,7 @@ class MechanismFlow(Flow):
         Contacts and friction only take energy, and periodic forces and pins bring no more than in proportion
         to the speed. So the energy falls wherever it is large, unless a pin goes on for ever.
         """
-        if any(pin.velocity for pin in self.mechanism.pins.values()) or self.mechanism.controllers:
-            return False
-        # Relative to the mass: of L⁻¹ K L⁻ᵀ with M = L Lᵀ.
-        factor = np.linalg.cholesky(inertia_of(self.mechanism).matrix)
-        count, base = len(factor), self.modes.system.machine.base.copy()
-        add_least_curves(self.modes.system.machine, base)
-        for block in (slice(0, count), slice(count, 2 * count)):  # of stiffness, of damping
-            resisting = -np.linalg.solve(factor, (factor.T @ base[count : 2 * count, block]).T)
-            values = np.linalg.eigvalsh(0.5 * (resisting + resisting.T))
-            if values[0] <= NEGLIGIBLE * abs(values[-1]):
-                return False
-        return True
+        return is_bounded(self.mechanism, self.modes.system.machine)
 
     def damping(self, mode: ModeEquations, states: Complexes, rates: Complexes, margins: Reals) -> Reals:
         """Return the real parts of λ, exactly zero where nothing damps or rounding cannot tell.
@@ -510,18 +374,4 @@ class MechanismFlow(Flow):
         The matrices of mass, damping and stiffness are symmetric. So λ of an oscillation is a root of
         m λ² + c λ + k = 0 with m = q* M q, c = q* C q, and its real part is -c/2m; without damping that is 0.
         """
-        if self.mechanism.controllers:
-            return np.where(abs(rates.real) <= margins, 0.0, rates.real)
-        mass = inertia_of(self.mechanism).matrix
-        velocities = slice(len(mass), 2 * len(mass))
-        moved = states[velocities]  # Velocities of a free part are λ times its displacements.
-        damping = -mass @ mode.flow[velocities, velocities]
-        inertia = (moved.conj() * (mass @ moved)).real.sum(axis=0)
-        real: Reals = rates.real.copy()
-        for each in np.flatnonzero((rates.imag != 0) & (inertia > 0)):
-            column = moved[:, each]
-            work = float((column.conj() @ damping @ column).real)
-            rounding = ROUNDING * float(abs(column) @ abs(damping) @ abs(column))
-            real[each] = -0.5 * work / inertia[each] if abs(work) > rounding else 0.0
-        real[(rates.imag == 0) & (abs(rates.real) <= margins)] = 0.0
-        return real
+        return damping(self.mechanism, mode, states, rates, margins)

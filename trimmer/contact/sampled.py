@@ -10,7 +10,8 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.contact.controllers.sampled_laws import BEFORE, Law, law_of
 from trimmer.contact.readouts.outputs import signal_of, speed_beyond
-from trimmer.contact.state.layout import Layout, Rows
+from trimmer.contact.state.layout import Layout
+from trimmer.contact.state.rows import Rows
 from trimmer.errors import MechanismError
 from trimmer.hybrid.clock import ABOVE, BELOW, WITHIN
 from trimmer.hybrid.system import Sampler

@@ -8,7 +8,7 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.contact.state.frame import frame_of
-from trimmer.contact.state.layout import curves_of
+from trimmer.contact.state.laid_out import curves_of
 from trimmer.errors import UnsupportedMotionError
 from trimmer.harmonics.contact import HarmonicContact
 from trimmer.harmonics.crossings import crossings

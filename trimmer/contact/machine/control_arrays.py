@@ -11,7 +11,7 @@ from trimmer.contact.controllers.laws import Law, laws_of
 from trimmer.mechanism.parts import OutputKind
 
 if TYPE_CHECKING:
-    from trimmer.contact.state.layout import Rows
+    from trimmer.contact.state.rows import Rows
     from trimmer.mechanism import Controller, Mechanism, Output
 
 

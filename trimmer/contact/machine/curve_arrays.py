@@ -14,7 +14,7 @@ from trimmer.arrays import Reals
 from trimmer.mechanism.parts import GROUND
 
 if TYPE_CHECKING:
-    from trimmer.contact.state.layout import Rows
+    from trimmer.contact.state.rows import Rows
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.mechanism.parts import Curve
 

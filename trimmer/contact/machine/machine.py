@@ -10,7 +10,9 @@ from trimmer.contact.machine.control_arrays import control_arrays
 from trimmer.contact.machine.curve_arrays import curve_arrays
 from trimmer.contact.machine.statuses import FREE, PULLS, RELAXES, TRUNCATES
 from trimmer.contact.state.frame import Frame
-from trimmer.contact.state.layout import Layout, Rows, layout_of
+from trimmer.contact.state.laid_out import layout_of
+from trimmer.contact.state.layout import Layout
+from trimmer.contact.state.rows import Rows
 from trimmer.hybrid.system import NO_STATE
 from trimmer.mechanism import GROUND, ContactLaw, Mechanism, Play, Stop
 from trimmer.mechanism.coordinates import elastic_matrices

@@ -11,7 +11,8 @@ from trimmer.contact.modes.system import MechanismSystem
 from trimmer.contact.readouts.control_readouts import control_signal
 from trimmer.contact.readouts.curve_forces import force_signal as curve_signal
 from trimmer.contact.readouts.friction_forces import hold_forces, rows_in_mode
-from trimmer.contact.state.layout import Layout, Rows
+from trimmer.contact.state.layout import Layout
+from trimmer.contact.state.rows import Rows
 from trimmer.hybrid.tables import Modes
 from trimmer.mechanism import Mechanism, Output
 from trimmer.mechanism.parts import OutputKind

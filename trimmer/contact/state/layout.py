@@ -1,4 +1,4 @@
-"""Names and places in the extended state of a mechanism, and its ends as functionals of it.
+"""Names and places in the extended state of a mechanism.
 
 It holds displacements q and velocities v of the coordinates, the springs z of relaxing contacts, sine and
 cosine of each order of the drive, each profile and its rate, the time if a pin that something leans on moves
@@ -8,25 +8,17 @@ Displacements are those in a frame, which may move.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
 from functools import cached_property
 
 import numpy as np
 
 from trimmer.arrays import Complexes, Places, Reals
-from trimmer.contact.controllers.held import Held, held_by
-from trimmer.contact.controllers.laws import laws_of
-from trimmer.contact.state.frame import SAME, Frame, frame_of, leans
+from trimmer.contact.controllers.held import Held
+from trimmer.contact.state.frame import Frame
 from trimmer.contact.state.profiles import SOON, Profile
-from trimmer.contact.state.references import profile_of, references_in
-from trimmer.mechanism.controls.references import RampReference, SineReference, StepReference
-from trimmer.mechanism.coordinates import Inertia, inertia_of, radius_of, shaken_ends, weights_of_ends
-from trimmer.mechanism.drives import Drives, drive_frequency, drives_of, sines_in, waves_in, waves_of_sine
-from trimmer.mechanism.kinds import Kind, kind_of_part
-from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import ContactLaw, Force, Pin, Play, Stop
-from trimmer.mechanism.waves import mean_of
+from trimmer.mechanism.drives import Drives
 
 SMALLEST_SHARE = 1e-4
 """Share of the largest displacement, velocity or stretch below which none is measured by itself."""
@@ -235,191 +227,3 @@ class Layout:
         if self.ramp:
             values[-2] = before + time
         return values
-
-
-def layout_of(
-    mechanism: Mechanism,
-    contacts: Mapping[str, Play | Stop],
-    frictions: tuple[str, ...],
-    frame: Frame | None = None,
-) -> Layout:
-    """Return the layout of a mechanism with some contacts and frictions that exert forces.
-
-    Args:
-        mechanism: The mechanism.
-        contacts: Its plays and stops that exert forces.
-        frictions: Names of its frictions that do.
-        frame: In which displacements are; that of the ground if not given.
-    """
-    frame = frame_of(mechanism).fixed() if frame is None else frame
-    omega = 2 * np.pi * (drive_frequency(mechanism) or 0.0)
-    moved: list[Pin | Force] = [*mechanism.pins.values(), *mechanism.forces.values()]
-    waves = [wave for part in moved for wave in waves_in(mechanism, part)]
-    waves += [wave for name in sines_in(mechanism) for wave in waves_of_sine(mechanism, name)]
-    orders = sorted({wave.order for wave in waves})
-    speeds = {name: float(each @ frame.velocities) for name, each in weights_of_ends(mechanism).items()}
-    for name, pin in mechanism.pins.items():
-        speeds[name] += pin.velocity
-    ramp = any(
-        abs(speeds[part.between[1]] - speeds[part.between[0]]) > SAME * max(map(abs, speeds.values()))
-        for part in (*mechanism.links.values(), *contacts.values(), *mechanism.walls.values())
-        if leans(part)
-    )
-    relaxing = tuple(
-        name for name, part in contacts.items() if part.law is ContactLaw.RELAXING and part.damping > 0
-    )
-    laws = laws_of(mechanism)
-    layout = Layout(
-        mechanism.coordinates,
-        tuple(contacts),
-        frictions,
-        curves_of(mechanism),
-        tuple(mechanism.walls),
-        relaxing,
-        tuple(laws),
-        tuple((name, state) for name, law in laws.items() for state in law.names),
-        {},
-        tuple(orders),
-        drives_of(mechanism),
-        tuple(dict.fromkeys(_profiles(mechanism, frame))),
-        ramp,
-        omega,
-        tuple(speeds),
-        np.array([]),
-        shaken_ends(mechanism),
-        frame,
-        dict.fromkeys(speeds, 0.0) if ramp else speeds,
-        np.array([]),
-    )
-    layout = replace(layout, held=held_by(mechanism.controllers, layout.state_count))
-    layout = replace(layout, lengths=_lengths(mechanism, contacts, layout))
-    rows = Rows(mechanism, layout)
-    return replace(layout, end_rows=np.array([rows.displacement(name) for name in layout.ends]))
-
-
-def curves_of(mechanism: Mechanism) -> tuple[tuple[str, str], ...]:
-    """Return section and name of the parts of a mechanism that have a curve."""
-    found = ((section, getattr(mechanism, section)) for section in ("links", "frictions"))
-    return tuple((section, name) for section, parts in found for name, part in parts.items() if part.curve)
-
-
-def _profiles(mechanism: Mechanism, frame: Frame) -> Iterator[Profile]:
-    """Yield what forces the states by times."""
-    yield from (Profile(force.profile) for force in mechanism.forces.values() if force.profile)
-    yield from (found for each in references_in(mechanism) if (found := profile_of(each, frame)) is not None)
-
-
-def _lengths(mechanism: Mechanism, contacts: Mapping[str, Play | Stop], layout: Layout) -> Reals:
-    radius, kinds = radius_of(mechanism), mechanism.kinds
-    of = {kind: radius if kind is Kind.ROTATION else 1.0 for kind in Kind}
-    coordinates = [of[kinds[name]] for name in mechanism.coordinates]
-    springs = [of[kind_of_part(kinds, "plays", name, contacts[name])] for name in layout.relaxing]
-    return np.array(
-        [
-            *coordinates,
-            *coordinates,
-            *springs,
-            *(1.0 for _ in range(layout.first_control, layout.state_count)),
-        ]
-    )
-
-
-@dataclass(frozen=True, eq=False)
-class Rows:
-    """Displacements and velocities of ends as functionals of the extended state, and what forces on them do.
-
-    Nothing else turns the name of an end into rows; what kinds of ends there are,
-    ``trimmer.mechanism.coordinates`` alone knows, apart from the share of a pin that is prescribed.
-    """
-
-    mechanism: Mechanism
-    layout: Layout
-
-    @cached_property
-    def _weights(self) -> Mapping[str, Reals]:
-        return weights_of_ends(self.mechanism)
-
-    @cached_property
-    def _inertia(self) -> Inertia:
-        return inertia_of(self.mechanism)
-
-    def weights(self, end: str) -> Reals:
-        """Return what weighs the coordinates in the displacement of an end, (n,)."""
-        return self._weights[end]
-
-    def displacement(self, end: str) -> Reals:
-        """Return the displacement of an end, (N,)."""
-        row, weights = np.zeros(self.layout.size), self.weights(end)
-        row[: len(weights)] = weights
-        if self.layout.ramp:
-            row[-2] += weights @ self.layout.frame.velocities
-        if end in self.mechanism.pins:
-            pin = self.mechanism.pins[end]
-            row[-1] += mean_of(pin)
-            if self.layout.ramp:
-                row[-2] += pin.velocity
-            for wave in waves_in(self.mechanism, pin):
-                self._add_wave(row, *wave)
-        return row
-
-    def velocity(self, end: str) -> Reals:
-        """Return the velocity of an end, (N,)."""
-        row, weights = np.zeros(self.layout.size), self.weights(end)
-        row[len(weights) : 2 * len(weights)] = weights
-        if end in self.mechanism.pins:
-            pin = self.mechanism.pins[end]
-            row[-1] += pin.velocity
-            for order, amplitude, phase in waves_in(self.mechanism, pin):
-                rate = order * self.layout.omega * amplitude
-                self._add_wave(row, order, rate, phase + np.pi / 2)
-        return row
-
-    def _add_wave(self, row: Reals, order: float, amplitude: float, phase: float) -> None:
-        """Add amplitude sin(order w t + phase)."""
-        sine = self.layout.sine(order)
-        row[sine] += amplitude * np.cos(phase)
-        row[sine + 1] += amplitude * np.sin(phase)
-
-    def given(self, force: Force) -> Reals:
-        """Return a given force, N, (N,)."""
-        row = np.zeros(self.layout.size)
-        row[-1] += mean_of(force)
-        for wave in waves_in(self.mechanism, force):
-            self._add_wave(row, *wave)
-        if force.profile:
-            row[self.layout.profile(Profile(force.profile))] += 1.0
-        return row
-
-    def reference(self, name: str | None) -> tuple[Reals, Reals]:
-        """Return the value of a reference and its rate, (N,) each; 0 without one."""
-        row, rate = np.zeros(self.layout.size), np.zeros(self.layout.size)
-        reference = self.mechanism.references[name] if name is not None else None
-        profile = None if reference is None else profile_of(reference, self.layout.frame)
-        if profile is not None:
-            place = self.layout.profile(profile)
-            row[place] = rate[place + 1] = 1.0
-        elif isinstance(reference, SineReference):
-            for order, amplitude, phase in waves_of_sine(self.mechanism, str(name)):
-                self._add_wave(row, order, amplitude, phase)
-                self._add_wave(rate, order, order * self.layout.omega * amplitude, phase + np.pi / 2)
-        elif isinstance(reference, RampReference):
-            row[-1], rate[-1] = -reference.ramp * reference.at, reference.ramp
-            if self.layout.ramp:
-                row[-2] = reference.ramp
-        elif isinstance(reference, StepReference):
-            row[-1] = reference.step
-        return row, rate
-
-    def held(self, name: str) -> Reals:
-        """Return what a sampled controller acts with, N or N m, (N,)."""
-        row = np.zeros(self.layout.size)
-        row[self.layout.held[name].acting] = 1.0
-        return row
-
-    def push(self, start: str, end: str) -> Reals:
-        """Return the accelerations by 1 N that pushes the end, and its opposite on the start, (n,)."""
-        return self.accelerations(self.weights(end) - self.weights(start))
-
-    def accelerations(self, forces: Reals) -> Reals:
-        """Return the accelerations by forces on the coordinates, (n,) or (n, columns) each."""
-        return self._inertia.accelerations(forces)

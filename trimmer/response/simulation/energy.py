@@ -19,7 +19,7 @@ from trimmer.contact.readouts.curve_forces import force_signal, stored_energy
 from trimmer.contact.readouts.friction_forces import hold_forces, undetermined
 from trimmer.contact.readouts.impacts import losses_at_walls, work_at_walls
 from trimmer.contact.readouts.outputs import contact_force
-from trimmer.contact.state.layout import Rows
+from trimmer.contact.state.rows import Rows
 from trimmer.mechanism import Mechanism, Play, Stop
 from trimmer.mechanism.coordinates import inertia_of, rows_of_structures, weights_of_ends
 from trimmer.motion.course import Course

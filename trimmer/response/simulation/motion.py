@@ -16,7 +16,7 @@ from trimmer.contact.readouts.curve_forces import curve_forces
 from trimmer.contact.readouts.friction_forces import dry_forces, undetermined
 from trimmer.contact.readouts.outputs import contact_force
 from trimmer.contact.readouts.readouts import event_rates
-from trimmer.contact.state.layout import Rows
+from trimmer.contact.state.rows import Rows
 from trimmer.errors import MechanismError
 from trimmer.hybrid import system
 from trimmer.hybrid.advance import Ending
