@@ -191,7 +191,7 @@ def _make(
 ) -> None:
     from report.design.building import files_of, going_on_from, looked_at, report_on
     from report.design.progress import ProgressLines
-    from report.design.words import verdict_sentence
+    from report.design.words.verdict import verdict_sentence
     from trimmer.design.motions import periods_within
     from trimmer.design.settings import FULL_CELLS, USUAL, DesignSettings
 

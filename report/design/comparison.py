@@ -9,15 +9,8 @@ import numpy as np
 from report.design.figures.over_time import line_spectrum
 from report.design.quantities import percent, place_words, shown
 from report.design.report import Report
-from report.design.words import (
-    OUTCOMES,
-    capital,
-    count,
-    kind_words,
-    measure_value,
-    measure_words,
-    number_words,
-)
+from report.design.words.phrases import capital, count, kind_words, measure_value, measure_words, number_words
+from report.design.words.verdict import OUTCOMES
 from report.pages.drawing.drawn import drawn
 from report.pages.escaping import Markdown, code, markdown
 from report.pages.figure import Figure

@@ -5,10 +5,12 @@ from typing import Any
 
 from jinja2 import Environment
 
-from report.design import axis, comparison, sentences, sentences_around, sliders, tables, words
+from report.design import axis, comparison, sentences_around, sliders
 from report.design.comparison import ComparisonReport
 from report.design.quantities import percent, place_words, shown, written
 from report.design.report import DesignReport
+from report.design.tables import judged, moving
+from report.design.words import phrases, sentences, verdict
 from report.pages.displayed import formula
 from report.pages.environment import MarkdownEnvironment
 
@@ -27,6 +29,9 @@ PIECES = (
     ),
     *("sensitivity", "mechanism", "linear", "provenance", "equations"),
 )
+
+WORDS = axis, comparison, judged, moving, phrases, sentences, sentences_around, sliders, verdict
+"""The modules whose public functions templates call."""
 
 
 def to_markdown(report: DesignReport) -> dict[str, str]:
@@ -57,16 +62,10 @@ def environment() -> Environment:
         written=written,
         percent=percent,
         place_words=place_words,
-        capital=words.capital,
-        count=words.count,
+        capital=phrases.capital,
+        count=phrases.count,
     )
-    made.globals.update(
-        {
-            name: vars(module)[name]
-            for module in (axis, comparison, tables, sentences, sentences_around, sliders, words)
-            for name in _own(module)
-        }
-    )
+    made.globals.update({name: vars(module)[name] for module in WORDS for name in _own(module)})
     made.globals.update(formula=formula)
     return made
 

@@ -14,7 +14,7 @@ from report.design.figures.over_time import (
     transfer_functions,
 )
 from report.design.quantities import percent, place_words, shown
-from report.design.words import bound_words, capital, measure_words
+from report.design.words.phrases import bound_words, capital, measure_words
 from report.pages.drawing.drawn import drawn
 from report.pages.figure import Figure
 from trimmer.design.analysis.linear import LinearState, driving

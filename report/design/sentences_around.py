@@ -7,8 +7,8 @@ import numpy as np
 
 from report.design.pictures import important
 from report.design.quantities import percent, place_words, shown, written
-from report.design.sentences import places_listed
-from report.design.words import SPECIAL, capital, count, counted_in, measure_words
+from report.design.words.phrases import SPECIAL, capital, count, counted_in, measure_words
+from report.design.words.sentences import places_listed
 from report.pages.escaping import Markdown, markdown
 from trimmer.branches.branch import BranchEnd
 from trimmer.design.design import Design

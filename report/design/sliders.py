@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from report.design.quantities import Scale, place_words, scale_for
-from report.design.sentences import left_out
-from report.design.words import bound_words, capital, count, counted_in, measure_words
+from report.design.words.phrases import bound_words, capital, count, counted_in, measure_words
+from report.design.words.sentences import left_out
 from report.pages.explorable import Panel, Slider
 from trimmer.design import Design, DesignFile, Measure, Target
 from trimmer.design.parameter_studies.solved_grid import GridMotion, SolvedGrid

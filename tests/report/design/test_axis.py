@@ -12,7 +12,7 @@ from report.design.markdown import to_markdown
 from report.design.origin import origin_of
 from report.design.pictures import pictures
 from report.design.report import DesignReport
-from report.design.words import kind_words
+from report.design.words.phrases import kind_words
 from tests.quick import quick
 from tests.report.markdown_lines import markdown_lines
 from tests.trimmer.design.test_axis import AXIS

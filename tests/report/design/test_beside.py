@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from report.design.tables import target_rows
-from report.design.words import around_sentence, verdict_sentence
+from report.design.tables.judged import target_rows
+from report.design.words.verdict import around_sentence, verdict_sentence
 from tests.trimmer.design.made import OSCILLATOR
 from trimmer import SerialRunner
 from trimmer.design import DesignOutcome, DesignSettings, Study

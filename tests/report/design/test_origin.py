@@ -8,7 +8,7 @@ import pytest
 from report.cache.stage_store import StageStore
 from report.design.building import files_of, report_on
 from report.design.origin import origin_of, today
-from report.design.tables import provenance_rows
+from report.design.tables.judged import provenance_rows
 from report.pages.formats import Format, Paper
 from tests.report.design.conftest import TEXT
 from trimmer import MechanismError

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from report.design.words import meets_at_its_point
+from report.design.words.verdict import meets_at_its_point
 from trimmer import MotionKind
 from trimmer.branches import BranchEnd
 from trimmer.design import (

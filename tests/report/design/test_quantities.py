@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from report.design.quantities import percent, place_words, shown, written
-from report.design.sentences import exposure_sentences
+from report.design.words.sentences import exposure_sentences
 
 
 @pytest.mark.parametrize(

@@ -13,9 +13,10 @@ from report.design.comparison import comparison_sentence
 from report.design.markdown import to_markdown
 from report.design.pictures import pictures
 from report.design.report import DesignReport
-from report.design.sentences import helpless_words
-from report.design.tables import target_rows
-from report.design.words import measure_value, sureness_sentences, verdict_sentence
+from report.design.tables.judged import target_rows
+from report.design.words.phrases import measure_value
+from report.design.words.sentences import helpless_words
+from report.design.words.verdict import sureness_sentences, verdict_sentence
 from report.pages.formats import Format
 from trimmer.design import (
     Design,

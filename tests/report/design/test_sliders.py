@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from report.design.report import DesignReport
-from report.design.tables import target_rows
+from report.design.tables.judged import target_rows
 from report.pages.formats import Format
 from tests.report.rendering.page_checks import SCHEMES, Scheme, Visit, lead, opened, violations
 

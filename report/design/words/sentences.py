@@ -5,7 +5,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from report.design.quantities import percent, place_words, shown, written
-from report.design.words import capital, closings_words, count, kind_words, periods
+from report.design.words.phrases import capital, closings_words, count, kind_words, periods
 from report.pages.escaping import Markdown, code, markdown
 from trimmer.design import Design, Oddity, OutputSpectrum, Question, Stage
 from trimmer.mechanism.kinds import Kind

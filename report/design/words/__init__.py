@@ -1,0 +1,1 @@
+"""What was found, in words: phrases, the verdict, sentences of the report."""
