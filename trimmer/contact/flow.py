@@ -31,8 +31,8 @@ from trimmer.contact.start import instant_at, set_free
 from trimmer.contact.start_within_walls import require_within_walls
 from trimmer.contact.state.frame import Frame, frame_of
 from trimmer.contact.state.references import settled_references
-from trimmer.hybrid.advance import Instant
 from trimmer.hybrid.affine_modes import Change, is_straight
+from trimmer.hybrid.stretch import Instant
 from trimmer.hybrid.system import ModeEquations, System
 from trimmer.hybrid.tables import Modes
 from trimmer.mechanism import Mechanism

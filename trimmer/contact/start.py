@@ -30,7 +30,7 @@ from trimmer.contact.modes.impulses import NEARLY, at_gap
 from trimmer.contact.modes.joint import decide
 from trimmer.contact.modes.system import MechanismSystem
 from trimmer.contact.modes.transitions import held_parts
-from trimmer.hybrid.advance import Instant
+from trimmer.hybrid.stretch import Instant
 from trimmer.hybrid.system import ARRIVED, NO_STATE, STRUCK
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST

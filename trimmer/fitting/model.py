@@ -8,7 +8,7 @@ import numpy as np
 from trimmer.arrays import Complexes, Reals
 from trimmer.errors import TrimmerError
 from trimmer.fitting.unknowns import Unknown, values_at
-from trimmer.hybrid.advance import Instant
+from trimmer.hybrid.stretch import Instant
 from trimmer.motion.flow import Flow
 from trimmer.motion.fourier import fourier
 from trimmer.motion.signals import read

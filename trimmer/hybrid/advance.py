@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trimmer.choices import Choice
 from trimmer.hybrid.clock import DUE, TICKED, instants
 from trimmer.hybrid.integration import (
     CYCLING,
@@ -23,6 +21,7 @@ from trimmer.hybrid.integration import (
     integrate,
 )
 from trimmer.hybrid.step_event import NO_EVENT
+from trimmer.hybrid.stretch import AdvanceInterrupted, Ending, Instant, Stretch
 from trimmer.hybrid.system import (
     ARRIVED,
     AT_LIMIT,
@@ -42,7 +41,7 @@ from trimmer.progress import progress_bar
 if TYPE_CHECKING:
     from tqdm import tqdm
 
-    from trimmer.arrays import Integers, Places, Reals
+    from trimmer.arrays import Places, Reals
     from trimmer.hybrid.clock import Clock, Instants
     from trimmer.hybrid.tables import Tables
     from trimmer.hybrid.work import Work
@@ -54,54 +53,7 @@ MOST_TOGETHER = 6  # Decisions at one instant that are taken because events repe
 MOST_EVENTS = 2**62  # Events of one integration if no number is given
 
 
-class Ending(Choice):
-    """Why a motion ends where it does."""
-
-    REACHED_END = "it reached its end"
-    CHATTERING = "more events at one instant than can be told apart"
-    DIVERGED = "it grew beyond all bounds"
-    STEP_LIMIT = "it took more steps than allowed"
-    EVENT_LIMIT = "it has more events than allowed"
-    INTERRUPTED = "it was interrupted"
-    UNDECIDED = "rounding kept dry friction at rest from being decided"
-
-
 _ENDINGS = {REACHED_END: Ending.REACHED_END, DIVERGED: Ending.DIVERGED, STEP_LIMIT: Ending.STEP_LIMIT}
-
-
-@dataclass(frozen=True, eq=False)
-class Instant:
-    """All that determines the motion from an instant on."""
-
-    state: Reals  # The states, (n,)
-    statuses: tuple[int, ...]  # Of all parts
-    periods: int  # Whole periods of what forces the states since the start
-    phase: float  # Time since then, s
-    # How many derivatives of the event functions of each part are known to vanish, by their actions, (parts,
-    # actions)
-    zeros: Integers
-    negligible: Reals  # Moduli of states that decay by themselves which count as zero, (m,)
-
-
-@dataclass(frozen=True, eq=False)
-class Stretch:
-    """A motion over some periods."""
-
-    end: Instant  # The instant at which it ends
-    ending: Ending  # Why
-    log: Log  # Its segments, timed from its start, if they were to be kept; else those of the end
-    states: Reals  # State at the start and after each period, (periods done + 1, n)
-    counts: Integers  # Events of each period by kind, (periods begun, kinds)
-    steps: int  # Number of steps that it took
-    duration: float  # Time from its start to its end, s
-
-
-class AdvanceInterrupted(KeyboardInterrupt):
-    """An interrupt (Ctrl-C) ended an integration; the motion until then."""
-
-    def __init__(self, stretch: Stretch) -> None:
-        super().__init__("the integration was interrupted")
-        self.stretch = stretch
 
 
 def advance(  # noqa: PLR0913

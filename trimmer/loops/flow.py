@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.hybrid.advance import Instant
+from trimmer.hybrid.stretch import Instant
 from trimmer.hybrid.system import ARRIVED, ModeEquations, System
 from trimmer.hybrid.tables import Modes
 from trimmer.loops.components.backlash_component import BacklashComponent

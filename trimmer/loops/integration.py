@@ -5,7 +5,8 @@ from typing import Any
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.advance import MOST_STEPS, Instant, Stretch, advance
+from trimmer.hybrid.advance import MOST_STEPS, advance
+from trimmer.hybrid.stretch import Instant, Stretch
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.work import Log
 from trimmer.loops.system import LoopModes

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from trimmer.arguments import real_number
-from trimmer.hybrid.advance import AdvanceInterrupted, Ending, Instant
+from trimmer.hybrid.stretch import AdvanceInterrupted, Ending, Instant
 from trimmer.hybrid.work import Log
 from trimmer.loops.components.backlash_component import BacklashComponent
 from trimmer.loops.initial import initial_segment

@@ -6,7 +6,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.errors import DivergingMotionError
-from trimmer.hybrid.advance import Ending, Instant
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.hybrid.system import NOTHING
 from trimmer.maps.measures import Measures, chosen, of_orbit, of_window
 from trimmer.motion.course import Course

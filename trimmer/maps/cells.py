@@ -11,7 +11,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.errors import TrimmerError
-from trimmer.hybrid.advance import Ending, Instant
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.maps.by_itself import begins_alike, came_to, measured
 from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.measures import Measures, chosen, of_lines, of_orbit, of_window

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.advance import Ending, Instant
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.maps.settle import RETURNING, beside, on_orbit, orbit_near, recurrence, strobed_sizes
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow

@@ -5,7 +5,7 @@ import numpy as np
 from trimmer.arguments import whole_number
 from trimmer.branches.follow import follow, require_continuous
 from trimmer.errors import MapError
-from trimmer.hybrid.advance import Ending, Instant
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.loops.loops import Loop
 from trimmer.maps.jumps import jumps
 from trimmer.maps.plateau import Plateau, dwell

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.advance import Ending, Instant
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.motion.flow import Flow
 from trimmer.response.periodic.orbit import Orbit, orbit_of
 from trimmer.response.periodic.shooting import Return, solve

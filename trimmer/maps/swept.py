@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trimmer.errors import MapError
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.stretch import Ending
 from trimmer.maps.jumps import Jump
 from trimmer.maps.plateau import Plateau
 from trimmer.mechanism.place_text import unit_of

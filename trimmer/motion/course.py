@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.hybrid.advance import Ending, Instant
 from trimmer.hybrid.nodes import Nodes, nodes, sample
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.hybrid.system import NOTHING, OWN_KINDS
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.variation import propagated

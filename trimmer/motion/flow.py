@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.hybrid.advance import MOST_STEPS, Ending, Instant, advance
+from trimmer.hybrid.advance import MOST_STEPS, advance
 from trimmer.hybrid.clock import TICKED
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.hybrid.system import ModeEquations, System
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.work import Log

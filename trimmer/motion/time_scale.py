@@ -9,7 +9,7 @@ import scipy.linalg
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
-    from trimmer.hybrid.advance import Instant
+    from trimmer.hybrid.stretch import Instant
     from trimmer.motion.flow import Flow
 
 NEGLIGIBLE = 1e-9  # Share of the largest eigenvalue below which another one is that of a state that stays

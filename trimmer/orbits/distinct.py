@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.advance import Instant
+from trimmer.hybrid.stretch import Instant
 from trimmer.one_orbit import SAME, ClosedCurve, are_one, inaccuracy
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.response.periodic.shooting import CLOSED, LONGEST, Patience, Return, Shot, solve

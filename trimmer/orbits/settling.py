@@ -9,7 +9,7 @@ from enum import Enum
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.hybrid import advance
+from trimmer.hybrid.stretch import Ending
 from trimmer.hybrid.variation import propagator
 from trimmer.hybrid.work import Log
 from trimmer.loops import ClosedLoop, Feedback
@@ -52,10 +52,10 @@ class MotionEnd(Enum):
 
 
 ENDED = {
-    advance.Ending.DIVERGED: MotionEnd.DIVERGED,
-    advance.Ending.CHATTERING: MotionEnd.ACCUMULATED,
-    advance.Ending.UNDECIDED: MotionEnd.ACCUMULATED,
-    advance.Ending.STEP_LIMIT: MotionEnd.LEFT,
+    Ending.DIVERGED: MotionEnd.DIVERGED,
+    Ending.CHATTERING: MotionEnd.ACCUMULATED,
+    Ending.UNDECIDED: MotionEnd.ACCUMULATED,
+    Ending.STEP_LIMIT: MotionEnd.LEFT,
 }
 """How a motion ended that does not go on, by how its integration did."""
 
@@ -108,7 +108,7 @@ def _follow(
     while total < MOST_EVENTS and steps > 0:
         stretch = followed(loop.modes, mode, state, quiet, events, steps)
         log, total = stretch.log, total + events
-        if stretch.ending is advance.Ending.REACHED_END and log.start[-1] == 0:
+        if stretch.ending is Ending.REACHED_END and log.start[-1] == 0:
             return MotionEnd.AT_REST
         if stretch.ending in ENDED:
             return ENDED[stretch.ending]

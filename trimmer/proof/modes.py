@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from trimmer.contact.machine.statuses import IMPACT
-from trimmer.hybrid.advance import Ending
 from trimmer.hybrid.calm import amid_longest
 from trimmer.hybrid.clock import ABOVE, BELOW, TICKED, WITHIN, Clock, carried
+from trimmer.hybrid.stretch import Ending
 from trimmer.hybrid.system import NOTHING, EventFunction, ModeEquations, System
 from trimmer.hybrid.variation import end_of_instant
 from trimmer.motion.course import Course

@@ -16,7 +16,7 @@ from trimmer.branches.period_maps.driven_passage import DrivenPassage
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.contact.flow import MechanismFlow
 from trimmer.errors import TrimmerError
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.stretch import Ending
 from trimmer.loops.loops import ClosedLoop
 from trimmer.loops.motion import LoopMotion
 from trimmer.mechanism import Mechanism

@@ -86,7 +86,7 @@ def exact_orbit(
 
 def _driven(flow: Flow, periods: int, guess: Start, settling: int | None) -> Orbit:
     from trimmer.errors import OrbitNotFoundError
-    from trimmer.hybrid.advance import Ending
+    from trimmer.hybrid.stretch import Ending
     from trimmer.mechanism.drives import RETURNS, told_of_drives
     from trimmer.response.periodic.orbit import orbit_of
     from trimmer.response.periodic.pace import periods_of

@@ -10,7 +10,7 @@ import numpy as np
 from trimmer.arguments import whole_number
 from trimmer.deadline import NEVER, Deadline
 from trimmer.errors import DivergingMotionError, OrbitNotFoundError
-from trimmer.hybrid.advance import Instant
+from trimmer.hybrid.stretch import Instant
 from trimmer.loops.loops import Loop
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.flow import Flow

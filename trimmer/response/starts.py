@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from trimmer.arguments import finite_number, real_array, shown
 from trimmer.errors import LoopError, MechanismError, WrongTypeError
-from trimmer.hybrid.advance import Instant
+from trimmer.hybrid.stretch import Instant
 from trimmer.loops.loops import Loop
 from trimmer.messages import listed, near_or_all
 from trimmer.motion.flow import Flow

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from trimmer import ContactLaw, FrictionBacklash, Mechanism, MechanismMotion, forced_orbit, simulate
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.stretch import Ending
 from trimmer.mechanism import Body, Force, Friction, Output, Pin, Play
 
 BETWEEN = ("ground", "body")

@@ -15,7 +15,7 @@ from trimmer.design import HandArm, Measure, hand_arm_weighting
 from trimmer.design.analysis.found_motion import of_orbit, of_settled
 from trimmer.design.analysis.hand_arm import hand_arm_of_orbit, hand_arm_of_samples
 from trimmer.examples import example_text
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.stretch import Ending
 from trimmer.mechanism import Body, Force, Friction, Link, Output
 
 

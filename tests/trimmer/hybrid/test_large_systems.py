@@ -12,7 +12,8 @@ from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Stop, Un
 from trimmer.arrays import Places, Reals
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.modes.system import MechanismSystem
-from trimmer.hybrid.advance import Ending, advance
+from trimmer.hybrid.advance import advance
+from trimmer.hybrid.stretch import Ending
 from trimmer.hybrid.system import HOLD_BEGUN, EventFunction, ModeEquations
 from trimmer.hybrid.tables import Modes
 from trimmer.mechanism import GROUND, Wall

@@ -10,7 +10,7 @@ from trimmer.arrays import Reals
 from trimmer.branches.period_maps.driven_passage import DrivenPassage
 from trimmer.branches.period_maps.flows import Flows
 from trimmer.errors import TrimmerError, UnsupportedMotionError
-from trimmer.hybrid.advance import Ending, Instant
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow

@@ -13,8 +13,8 @@ from trimmer.arrays import Integers, Reals
 from trimmer.branches.period_maps.period_map import Signature
 from trimmer.branches.period_maps.strobe import Restart
 from trimmer.branches.period_maps.value_rate import ValueChange
-from trimmer.hybrid.advance import Instant
 from trimmer.hybrid.calm import amid_longest, is_amid
+from trimmer.hybrid.stretch import Instant
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.part import Part, Phase, mirrored

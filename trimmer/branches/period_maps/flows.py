@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from trimmer.branches.period_maps.value_rate import Slopes, changing
+from trimmer.branches.period_maps.value_flow import Slopes, changing
 from trimmer.errors import TrimmerError
 from trimmer.hybrid.affine_modes import AffineModes
 from trimmer.hybrid.system import System

@@ -10,7 +10,7 @@ from trimmer.design.analysis.found_step import FoundStep, found_step
 from trimmer.design.analysis.hand_arm import HandArm, hand_arm_of_orbit, hand_arm_of_samples
 from trimmer.design.analysis.motion_signals import MotionSignals, signals_of
 from trimmer.design.specification.targets import Measure, Target
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.stretch import Ending
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow

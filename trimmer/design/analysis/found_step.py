@@ -11,7 +11,7 @@ from trimmer.contact.readouts.control_readouts import control_signal, largest_de
 from trimmer.design.analysis.motion_signals import MotionSignals, signals_of
 from trimmer.design.specification.targets import Measure, followers
 from trimmer.errors import UnsupportedMotionError
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.stretch import Ending
 from trimmer.mechanism import Mechanism, StepReference
 from trimmer.motion.signals import along
 from trimmer.motion.step_measures import Step, StepMeasures, step_measures

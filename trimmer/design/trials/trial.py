@@ -19,7 +19,7 @@ from trimmer.design.specification.targets import (
     unit_of_measure,
 )
 from trimmer.errors import TrimmerError
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.stretch import Ending
 from trimmer.maps.by_itself import came_to
 from trimmer.maps.inputs import varied
 from trimmer.maps.settle import Settled, settle

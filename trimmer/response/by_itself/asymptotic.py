@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.advance import Instant
+from trimmer.hybrid.stretch import Instant
 from trimmer.hybrid.system import AT_LIMIT, HOLD_BEGUN, ModeEquations
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.course import Course

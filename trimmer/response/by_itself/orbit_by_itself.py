@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from trimmer.errors import OrbitNotFoundError
-from trimmer.hybrid.advance import Instant
+from trimmer.hybrid.stretch import Instant
 from trimmer.motion.flow import Flow
 from trimmer.response.by_itself.recurrences import once, recurring
 from trimmer.response.by_itself.self_excited import self_excited

@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.stretch import Ending
 from trimmer.hybrid.variation import propagated
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow

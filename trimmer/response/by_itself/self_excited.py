@@ -7,7 +7,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.errors import DivergingMotionError, OrbitNotFoundError
-from trimmer.hybrid.advance import Ending, Instant
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.time_scale import time_scale

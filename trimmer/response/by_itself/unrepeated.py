@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.stretch import Ending
 from trimmer.messages import listed
 from trimmer.motion.flow import Flow
 from trimmer.motion.signals import along

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.stretch import Ending
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.sides import DIFFERENT, DISTANCES, Sides

@@ -7,7 +7,7 @@ from typing import cast
 import numpy as np
 
 from trimmer.arrays import Complexes, Integers, Reals
-from trimmer.hybrid.advance import Instant
+from trimmer.hybrid.stretch import Instant
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow

@@ -13,8 +13,8 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.advance import Ending, Instant
 from trimmer.hybrid.calm import amid_longest, is_amid
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.part import mirrored

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.advance import Ending, Instant
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of

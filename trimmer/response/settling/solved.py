@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.advance import Instant
+from trimmer.hybrid.stretch import Instant
 from trimmer.mechanism.drives import RETURNS, told_of_drives
 from trimmer.messages import listed
 from trimmer.motion.course import Course

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.stretch import Ending
 from trimmer.mechanism.drives import RETURNS, told_of_drives
 from trimmer.response.periodic.pace import pace_of, period_word, periods_of
 from trimmer.response.results.response import MotionKind, SettledMotion
@@ -16,7 +16,7 @@ from trimmer.response.statistics.window import Watched, joined, watch
 from trimmer.response.statistics.zero_one import growth_of_walk
 
 if TYPE_CHECKING:
-    from trimmer.hybrid.advance import Instant
+    from trimmer.hybrid.stretch import Instant
     from trimmer.motion.flow import Flow
     from trimmer.response.settling.settling import Settling
 

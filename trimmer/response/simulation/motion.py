@@ -19,7 +19,7 @@ from trimmer.contact.readouts.readouts import event_rates
 from trimmer.contact.state.rows import Rows
 from trimmer.errors import MechanismError
 from trimmer.hybrid import system
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.stretch import Ending
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.messages import near_or_all
 from trimmer.motion.course import Course

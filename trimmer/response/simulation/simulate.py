@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from trimmer.hybrid.advance import Instant
+    from trimmer.hybrid.stretch import Instant
     from trimmer.loops.loops import Loop
     from trimmer.loops.motion import LoopMotion
     from trimmer.response.simulation.motion import MechanismMotion

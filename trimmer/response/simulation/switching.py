@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from trimmer.contact.flow import MechanismFlow
 from trimmer.errors import UnsupportedMotionError
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.stretch import Ending
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.time_scale import time_scale
 from trimmer.response.settling.solved import rest_after

@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.advance import Ending, Instant
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.motion.flow import Flow
 
 BLOCK = 32

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.hybrid.advance import Ending, Instant
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.motion.course import Course
 from trimmer.motion.extremes import extremes
 from trimmer.motion.flow import Flow

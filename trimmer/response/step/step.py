@@ -7,7 +7,7 @@ from trimmer.arguments import require_instance
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.readouts.control_readouts import control_signal, largest_demand
 from trimmer.errors import MechanismError
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.stretch import Ending
 from trimmer.mechanism import Mechanism, StepReference
 from trimmer.messages import listed, near_match
 from trimmer.motion.extremes import turning_points

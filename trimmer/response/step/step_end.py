@@ -11,7 +11,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.contact.flow import MechanismFlow
-from trimmer.hybrid.advance import Ending
+from trimmer.hybrid.stretch import Ending
 from trimmer.motion.course import Course
 from trimmer.motion.extremes import extremes, turning_points
 from trimmer.motion.signals import along

@@ -17,7 +17,7 @@ import scipy.linalg
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Flags, Reals
-    from trimmer.hybrid.advance import Instant
+    from trimmer.hybrid.stretch import Instant
     from trimmer.hybrid.system import ModeEquations
     from trimmer.motion.flow import Flow
 

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.hybrid.advance import Ending, Instant
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures

@@ -8,7 +8,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.contact.machine.statuses import STICK
-from trimmer.hybrid.advance import Ending, Instant
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.motion.flow import Flow
 from trimmer.response.without_events.rest import Rest
 
