@@ -4,7 +4,10 @@ from math import cos, pi, sin
 
 import numpy as np
 
-from benchmarks.problems.second_ways.pieces import Contact, Flight, Machine, fixed_point
+from benchmarks.problems.second_ways.elements import Contact
+from benchmarks.problems.second_ways.fixed_point import fixed_point
+from benchmarks.problems.second_ways.flight import Flight
+from benchmarks.problems.second_ways.pieces import Machine
 
 TURN = 2.0 * pi
 

@@ -5,7 +5,9 @@ import numpy as np
 from scipy.linalg import expm
 from scipy.optimize import brentq, newton
 
-from benchmarks.problems.second_ways.pieces import Contact, Flight, Friction, Machine
+from benchmarks.problems.second_ways.elements import Contact, Friction
+from benchmarks.problems.second_ways.flight import Flight
+from benchmarks.problems.second_ways.pieces import Machine
 
 
 def limited(u: float, limit: float) -> float:

@@ -6,7 +6,10 @@ import numpy as np
 
 from benchmarks.problems.second_ways.closed import end_of_stick_slip
 from benchmarks.problems.second_ways.contacts import TURN, measured, orbit, settled, sine
-from benchmarks.problems.second_ways.pieces import Contact, Flight, Friction, Machine, fixed_point
+from benchmarks.problems.second_ways.elements import Contact, Friction
+from benchmarks.problems.second_ways.fixed_point import fixed_point
+from benchmarks.problems.second_ways.flight import Flight
+from benchmarks.problems.second_ways.pieces import Machine
 
 
 def belt(speed: float):

@@ -9,144 +9,16 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
-from itertools import pairwise
 
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
-from scipy.optimize import brentq
+
+from benchmarks.problems.second_ways.elements import Contact, Friction, Wall, nothing
+from benchmarks.problems.second_ways.flight import Flight
 
 METHOD, RTOL, ATOL = "DOP853", 1e-13, 1e-17
 """What solve_ivp is asked with; the peers ask with its defaults too."""
-
-
-def nothing(t: float) -> tuple[float, float, float]:
-    """Return displacement, velocity and acceleration of what does not move."""
-    return 0.0, 0.0, 0.0
-
-
-@dataclass(frozen=True)
-class Contact:
-    """T = k z + c s', force -w T; s = w q + the pin's share. Above ``upper`` or below ``lower`` it touches.
-
-    It lets go where T changes its sign; free, z relaxes by k z + c z' = 0 until s - z is at an edge again.
-    """
-
-    w: Sequence[float]
-    k: float
-    c: float
-    lower: float
-    upper: float
-    pin: Callable[[float], tuple[float, float, float]] = nothing
-
-    def s(self, t: float, q: np.ndarray, v: np.ndarray) -> tuple[float, float]:
-        """Return s and its rate."""
-        at, rate, _ = self.pin(t)
-        return float(np.dot(self.w, q)) + at, float(np.dot(self.w, v)) + rate
-
-
-@dataclass(frozen=True)
-class Friction:
-    """Force -w (F(|u|) sgn u + d u) with u = w q' + the pin's velocity; in stick up to ``static``."""
-
-    w: Sequence[float]
-    force: Callable[[float], float]
-    static: float
-    d: float = 0.0
-    pin: Callable[[float], tuple[float, float, float]] = nothing
-    knots: Sequence[float] = ()
-
-    def u(self, t: float, v: np.ndarray) -> float:
-        """Return the sliding speed."""
-        return float(np.dot(self.w, v)) + self.pin(t)[1]
-
-
-@dataclass(frozen=True)
-class Wall:
-    """w q + the pin's share <= gap; where it is met with a rate r > 0, the rate becomes -e r."""
-
-    w: Sequence[float]
-    e: float
-    gap: float = 0.0
-    pin: Callable[[float], tuple[float, float, float]] = nothing
-
-
-@dataclass(frozen=True)
-class Flight:
-    """Pieces as (solution, begin, end, modes), events as (time, element, mode, rate before)."""
-
-    pieces: list = field(default_factory=list)
-    events: list = field(default_factory=list)
-    time: float = 0.0
-    state: np.ndarray | None = None
-    modes: tuple[int, ...] = ()
-
-    def extremes(self, of: Callable[[float, np.ndarray], float]) -> tuple[float, float]:
-        """Return smallest and largest value of a function of time and state."""
-        found = []
-        for solution, begin, end, _ in self.pieces:
-            found += [of(begin, solution(begin)), of(end, solution(end))]
-            times = np.linspace(begin, end, 400)
-            values = np.array([of(t, solution(t)) for t in times])
-            for sign in (1.0, -1.0):
-                place = int(np.argmax(sign * values))
-                if 0 < place < len(times) - 1:
-                    found.append(
-                        _peak(lambda t, s=solution: of(t, s(t)), times[place - 1], times[place + 1], sign)
-                    )
-        return min(found), max(found)
-
-    @property
-    def length(self) -> float:
-        """Return how long the pieces take together."""
-        return sum(end - begin for _, begin, end, _ in self.pieces)
-
-    def between(self, begin: float, end: float) -> Flight:
-        """Return the pieces between two times."""
-        within = [piece for piece in self.pieces if piece[2] > begin and piece[1] < end]
-        return Flight([(s, max(a, begin), min(b, end), modes) for s, a, b, modes in within])
-
-    def passes(self, of: Callable[[np.ndarray], float], level: float) -> list[float]:
-        """Return the times at which a function of the state passes a level."""
-        found = []
-        for solution, begin, end, _ in self.pieces:
-            times = np.linspace(begin, end, 60)
-            values = np.array([of(solution(t)) - level for t in times])
-            for i in np.flatnonzero(np.sign(values[:-1]) * np.sign(values[1:]) < 0):
-                a, b = times[i], times[i + 1]
-                found.append(brentq(lambda t, s=solution: of(s(t)) - level, a, b, xtol=1e-15))
-        return found
-
-    def peak_to_peak(self, of: Callable[[float, np.ndarray], float]) -> float:
-        """Return largest less smallest value."""
-        low, high = self.extremes(of)
-        return high - low
-
-    def mean(self, of: Callable[[float, np.ndarray], float]) -> float:
-        """Return the mean over the flight, by Gauss-Legendre between the solver's steps."""
-        nodes, weights = np.polynomial.legendre.leggauss(6)
-        total = 0.0
-        for solution, begin, end, _ in self.pieces:
-            steps = np.unique(np.clip(solution.ts, begin, end))
-            for a, b in pairwise(steps):
-                times = 0.5 * (a + b) + 0.5 * (b - a) * nodes
-                total += (
-                    0.5 * (b - a) * sum(w * of(t, solution(t)) for w, t in zip(weights, times, strict=True))
-                )
-        return total / self.length
-
-
-def _peak(of: Callable[[float], float], a: float, b: float, sign: float) -> float:
-    """Return the extreme value between two times: three parabolas, each on a tenth of the one before."""
-    middle, half = 0.5 * (a + b), 0.5 * (b - a)
-    for _ in range(4):
-        low, mid, high = (of(middle + shift) for shift in (-half, 0.0, half))
-        bend = low - 2.0 * mid + high
-        if bend == 0.0:
-            break
-        middle += half * float(np.clip(0.5 * (low - high) / bend, -1.0, 1.0))
-        half *= 0.1
-    return sign * max(sign * of(middle), sign * of(middle - half), sign * of(middle + half))
 
 
 @dataclass(frozen=True, eq=False)
@@ -398,36 +270,3 @@ class Machine:
 
 def _with(modes: tuple[int, ...], place: int, mode: int) -> tuple[int, ...]:
     return (*modes[:place], mode, *modes[place + 1 :])
-
-
-def jacobian(
-    of: Callable[[np.ndarray], np.ndarray], x: np.ndarray, steps: np.ndarray, order: int
-) -> np.ndarray:
-    """Return the derivative by central differences of second or fourth order."""
-    columns = []
-    for i, step in enumerate(steps):
-        shift = np.zeros(len(x))
-        shift[i] = step
-        near = of(x + shift) - of(x - shift)
-        if order == 2:
-            columns.append(near / (2.0 * step))
-        else:
-            columns.append((8.0 * near - of(x + 2 * shift) + of(x - 2 * shift)) / (12.0 * step))
-    return np.array(columns).T
-
-
-def fixed_point(of: Callable[[np.ndarray], np.ndarray], x: np.ndarray, scale: np.ndarray, order: int = 4):
-    """Return x = of(x) by Newton's method, and the derivative of ``of`` there."""
-    x = np.array(x, dtype=float)
-    for step in range(30):
-        if step % 5 == 0:
-            derivative = jacobian(of, x, 1e-5 * scale, 2)
-        change = np.linalg.solve(derivative - np.eye(len(x)), x - of(x))
-        x = x + change
-        if np.max(np.abs(change) / scale) < 2e-13:
-            break
-    else:
-        raise ValueError(
-            f"no periodic motion was found: the last change is {np.max(np.abs(change) / scale):.1e}"
-        )
-    return x, jacobian(of, x, 1e-4 * scale, order)

@@ -13,7 +13,8 @@ from mpmath import mp, mpf
 from scipy.optimize import brentq, root
 
 from benchmarks.problems.second_ways.contacts import TURN
-from benchmarks.problems.second_ways.pieces import Contact, Machine
+from benchmarks.problems.second_ways.elements import Contact
+from benchmarks.problems.second_ways.pieces import Machine
 
 
 class Strobe:
