@@ -80,12 +80,7 @@ def _run(arguments: Namespace) -> int:
 
 
 def made(arguments: Namespace, request: Request, content: Content | None = None) -> int:
-    """Build what was asked for, show what was written, and return the exit code.
-
-    Args:
-        arguments: Those of ``add_build_options``.
-        request: What of the report is wanted.
-        content: What makes it; without it the report is that on the thesis.
+    """Build what was asked for, by default of the thesis's report; show it, and return the exit code.
 
     Raises:
         FileWriteError: if a file is there and of another kind, or cannot be written.

@@ -9,10 +9,7 @@ from warnings import warn
 def answering(room: str, attribute: Callable[[str], Any], former: Mapping[str, str]) -> Callable[[str], Any]:
     """Return the ``__getattr__`` of a room that answers to former names too, with a warning.
 
-    Args:
-        room: Name of the room, such as ``trimmer.fitting``.
-        attribute: Its ``__getattr__`` for the other names.
-        former: Room and name of what has another name now, by the name that it had.
+    ``attribute`` is that for the other names; ``former`` gives room and name by the name that it had.
     """
 
     def answer(name: str) -> Any:

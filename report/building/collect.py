@@ -72,12 +72,7 @@ def _found(package: str) -> Iterator[tuple[str, AnyRecord]]:
 def by_id(
     found: Iterable[tuple[str, AnyRecord]], inventory: Mapping[str, Statement], subject: Subject = THESIS
 ) -> dict[str, AnyRecord]:
-    """Return records of one kind by their ids.
-
-    Args:
-        found: The records, each with the name of its module.
-        inventory: The statements by their ids.
-        subject: Which text they are of.
+    """Return records of one kind, each given with the name of its module, by their ids.
 
     Raises:
         ClaimIdError: naming id and modules, if the inventory lacks an id or two records share one.

@@ -35,12 +35,9 @@ class ReaderCopy:
 
 
 def read_reader_copy(path: Path, judged: str, *, accept_other: bool = False) -> ReaderCopy:
-    """Read a text copy.
+    """Read a text copy, which is the one that was judged, by its SHA-256, unless another one is accepted.
 
-    Args:
-        path: The file, as UTF-8; a byte-order mark is left out of the text, not of the digest.
-        judged: SHA-256 of the text that was judged.
-        accept_other: Take another text as well.
+    It is UTF-8; a byte-order mark is left out of the text, not of the digest.
 
     Raises:
         CopyFileError: naming the file, if it cannot be read, or is not UTF-8.

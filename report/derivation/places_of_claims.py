@@ -38,12 +38,7 @@ def shown_in(steps: Iterable[NarrativeStep]) -> dict[str, str]:
 def places(
     findings: Iterable[Finding], steps: tuple[NarrativeStep, ...], named: Mapping[str, str] | None = None
 ) -> dict[str, str]:
-    """Return the step of each claim, by the claim's id; a claim for which none is named is left out.
-
-    Args:
-        findings: The claims.
-        steps: All steps of the derivation.
-        named: Steps by claim or source; by default those of ``named_steps``.
+    """Return the step of each claim by its id, as named, by default in ``named_steps``; others are left out.
 
     Raises:
         UnknownStepError: naming what is said to rest on a step that is not there.

@@ -38,11 +38,7 @@ def first_harmonic(pieces: tuple[WaveformPiece, ...], phases: Reals) -> Reals:
 def waveform_svg(identifier: str, title: str, words: str, pieces: tuple[WaveformPiece, ...]) -> str:
     """Return a drawing of one period: the input, the output in its pieces, and its first harmonic.
 
-    Args:
-        identifier: Prefix of its ids.
-        title: Its name.
-        words: What it shows, for a reader who does not see it.
-        pieces: The waveform, piece by piece.
+    Its ids begin with the identifier; the words are for a reader who does not see it.
     """
     first, last = float(pieces[0].phases[0]), float(pieces[-1].phases[-1])
     phases = np.linspace(first, last, 97)

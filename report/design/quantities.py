@@ -27,12 +27,7 @@ INERTIAS = (Scale(1.0, "kg m²"), Scale(1e-6, "kg mm²"), Scale(1e-9, "g mm²"))
 
 
 def scale_for(values: Iterable[float], unit: str) -> Scale:
-    """Return the unit in which numbers are easy to read, by the largest of them.
-
-    Args:
-        values: In the SI unit.
-        unit: The SI unit.
-    """
+    """Return the unit in which numbers in an SI unit are easy to read, by the largest of them."""
     sizes = [abs(value) for value in values if math.isfinite(value)]
     largest = max(sizes, default=0.0)
     if unit not in PREFIXED or largest == 0:
@@ -51,10 +46,7 @@ def scale_for(values: Iterable[float], unit: str) -> Scale:
 def shown(value: float, unit: str = "", digits: int = 3) -> str:
     """Return a number with its unit as text, such as ``2.92 mm``; in words where there is none.
 
-    Args:
-        value: In the SI unit.
-        unit: The SI unit; empty or 1 for a number.
-        digits: How many digits it has at most.
+    It is given in the SI unit, empty or 1 for a number, and gets so many digits at most.
     """
     if math.isnan(value):
         return "unknown"

@@ -20,13 +20,7 @@ SCRIPTS = (
 def rendered(
     document: Report, pieces: Mapping[str, str], formats: frozenset[Format], paper: Paper
 ) -> dict[Format, str | bytes]:
-    """Return the report in the forms that are wanted.
-
-    Args:
-        document: The report.
-        pieces: Its text.
-        formats: HTML, PDF or both.
-        paper: Size of the pages.
+    """Return the report, whose text is in pieces, in the forms that are wanted.
 
     Raises:
         PandocError: if pandoc cannot read the text or its mathematics.

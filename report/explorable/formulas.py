@@ -40,12 +40,7 @@ class Function:
 
 
 def functions(derivation: LinearTrimmer, values: dict[sympy.Expr, sympy.Rational]) -> tuple[Function, ...]:
-    """Return all functions of the page.
-
-    Args:
-        derivation: The linear trimmer.
-        values: The parameters of the trimmer; the damping c2 stays a variable.
-    """
+    """Return all functions of the page, with values of the parameters; the damping c2 stays a variable."""
     return (
         _inverse_response(derivation, values),
         _rubbing(derivation, values),

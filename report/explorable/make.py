@@ -36,11 +36,7 @@ def explorable(known: Evidence) -> Explorable:
 
 
 def _sliders(damping: float) -> tuple[Slider, ...]:
-    """Return what can be moved.
-
-    Args:
-        damping: c2 of the thesis's trimmer, N s/m.
-    """
+    """Return what can be moved; the damping is c2 of the thesis's trimmer, N s/m."""
     return (
         Slider("gap", "Gap g, the total clearance", -6.0, -3.0, math.log10(GAP), True, 1e6, "µm"),
         Slider("load", "Load behind the play, M/D", -6.0, -1.0, math.log10(TIME_CONSTANT), True, 1e3, "ms"),

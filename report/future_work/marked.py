@@ -10,13 +10,9 @@ from matplotlib.axes import Axes
 def marked(
     axes: Axes, points: Sequence[tuple[float, float, str]], label: str, line: Mapping[str, Any]
 ) -> None:
-    """Draw one curve with its dots.
+    """Draw one curve with its dots, in the colour and dashes of its line.
 
-    Args:
-        axes: Where.
-        points: What is varied, what is measured, and the word of the kind of motion.
-        label: Of the curve.
-        line: Its colour and dashes.
+    Points are what is varied, what is measured, and the word of the kind of motion.
     """
     x, y = np.array([point[:2] for point in points]).T
     repeats = np.array([kind == "periodic" for *_, kind in points])

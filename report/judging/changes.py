@@ -90,10 +90,7 @@ def _fields(claim: Any, schema: int, number: int) -> Fields:
 def differences(old: ClaimsFile, new: ClaimsFile, omitted: Collection[str] = ()) -> str:
     """Return as lines to print which claims are new, gone or changed, and how; new verdicts come first.
 
-    Args:
-        old: Of the earlier version.
-        new: Of this version.
-        omitted: Numbers of the chapters that the new file leaves out; what they hold is not gone.
+    What chapters hold that the new file leaves out, by their numbers, is not gone.
     """
     added = [claim for claim in new.claims if claim not in old.claims]
     gone = [

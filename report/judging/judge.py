@@ -17,11 +17,7 @@ class ContradictionError(Exception):
 
 
 def judge(claim: Claim, entry: Statement) -> Finding:
-    """Judge every part of a claim and give it the most severe of their verdicts.
-
-    Args:
-        claim: what to judge.
-        entry: the inventory's entry of the same id.
+    """Judge every part of a claim, with its entry of the inventory, and give it their most severe verdict.
 
     Raises:
         ContradictionError: if a part's confirmation disagrees with its derivation.

@@ -76,14 +76,8 @@ def assertion(
 ) -> ClaimPart:
     """Hold what the thesis asserts, in our words, against what was found.
 
-    Args:
-        label: what the part is about; empty for the only part.
-        statement: the property, as Markdown.
-        derived: whether it holds.
-        evidence: what shows it, as Markdown.
-        method: how it was found.
-        asserted: False where the thesis denies the property.
-        more: see ``More``.
+    The label is empty for the only part. The statement and its evidence are Markdown; ``asserted`` is False
+    where the thesis denies the property.
     """
     statement, evidence, method = map(one_line, (statement, evidence, method))
     return part(label, Assertion(statement, bool(derived), evidence, method, asserted), **more)

@@ -57,13 +57,7 @@ def _open_loop(system: control.StateSpace, amplitude: float) -> AmplitudeRun:
 
 
 def reference_loop(system: control.LTI, element: Element, reference: Drive) -> Feedback:
-    """Return negative feedback with a reference r: the element's input is e = r - y.
-
-    Args:
-        system: G.
-        element: The nonlinear element.
-        reference: r.
-    """
+    """Return negative feedback of G and an element with a reference r: the element's input is e = r - y."""
     G = control.ss(system)
     plant = control.ss(
         G.A,

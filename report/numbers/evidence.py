@@ -47,11 +47,7 @@ def derive() -> Derived:
 
 
 def solve(derived: Derived, twin: Callable[[], TwinNumbers] = solve_twin) -> Evidence:
-    """Solve the thesis's trimmer with the derived equations.
-
-    Args:
-        derived: What SymPy derived.
-        twin: Gives the numbers of the physical twin, which rest on nothing that is derived here; asked last.
+    """Solve the thesis's trimmer with the derived equations, and last the twin, which needs none of them.
 
     Raises:
         KeptDataError: if a map or a branch that is kept cannot be used.

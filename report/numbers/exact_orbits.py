@@ -117,12 +117,9 @@ def orbit_by_durations(near: PeriodicOrbit, inertia: bool) -> tuple[float, float
     """Return |y| at the end of contact and the frequency (Hz) of an orbit with two contacts in a period.
 
     Unknown are the state at an impact and the lengths of contact and flight. After half a period the state
-    has changed its sign, the contact ends where its force is zero, and the flight on the other side.
-
-    Args:
-        near: The orbit, for a gap of one metre; rounded, it is where the search starts.
-        inertia: Whether the bridge keeps the pin's velocity (inertia-controlled) or stops
-            (friction-controlled, where the first result is the amplitude).
+    has changed its sign, the contact ends where its force is zero, and the flight on the other side. The
+    search starts near an orbit for a gap of one metre, rounded. The bridge keeps the pin's velocity
+    (inertia-controlled) or stops (friction-controlled, where the first result is the amplitude).
     """
     model, period = near.motion.loop.model, near.period
     leave, meet = near.switching_times[:2]

@@ -83,14 +83,7 @@ def force_response(parameters: TrimmerParameters) -> control.StateSpace:
 def friction_branch(
     parameters: TrimmerParameters, channels: InputChannels, unstable: LimitCycle, stable: LimitCycle
 ) -> FrictionBranch:
-    """Follow the solutions between the two limit cycles of a loop without friction.
-
-    Args:
-        parameters: the trimmer.
-        channels: how the pin acts.
-        unstable: limit cycle without friction for a gap of one metre.
-        stable: the other one, of higher frequency and larger amplitude.
-    """
+    """Follow the solutions between both limit cycles of a loop without friction, for a gap of one metre."""
     loop = _loop(parameters, channels, unstable, stable)
     first, last = 1 / stable.amplitude, 1 / unstable.amplitude
     ratio = _ratio_of_largest_force(loop, first, last)

@@ -108,12 +108,9 @@ def _threshold(loop: ClosedLoop, low: float, high: float) -> float:
 
 
 def events_by_integration(system: control.StateSpace, impulse: float, duration: float) -> int:
-    """Count the events of the loop with a gap of one metre by SciPy's DOP853 with terminal events.
+    """Count the events of G with a gap of one metre by SciPy's DOP853 with terminal events.
 
-    Args:
-        system: G.
-        impulse: Over the gap, s.
-        duration: s.
+    The impulse is over the gap, s; the duration is in s.
     """
     A, B, C = system.A, system.B[:, 0], system.C[0]
 

@@ -107,12 +107,7 @@ def _start_from_rest(parameters: TrimmerParameters) -> StartFromRest:
 
 
 def pin_and_output(parameters: TrimmerParameters, times: Reals) -> tuple[Reals, Reals]:
-    """Return the pin's displacement and the output of the thesis's model from rest, m.
-
-    Args:
-        parameters: The trimmer.
-        times: Equally spaced, s, shape (n,).
-    """
+    """Return pin and output of the thesis's model from rest, m, (n,) each, at equally spaced times, s."""
     pin = DRIVE_AMPLITUDE * np.sin(DRIVE_OMEGA * times)
     system = pin_model(parameters, channels=InputChannels.DISPLACEMENT_ONLY)
     return pin, time_response(system, times, pin).outputs

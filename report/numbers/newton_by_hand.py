@@ -39,9 +39,7 @@ class Iteration:
 def newton_by_hand(numerator: Sequence[float], denominator: Sequence[float]) -> tuple[Iteration, ...]:
     """Solve N(ℓ) + 1/G(jω) = 0 from the first guess, with the steps that ``derivations.loop`` derives.
 
-    Args:
-        numerator: Coefficients of G, highest power first.
-        denominator: Coefficients of G, highest power first.
+    Coefficients of G have the highest power first.
 
     Returns:
         The first guess and every iteration, the last one with a residual below ``SETTLED``.

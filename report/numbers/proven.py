@@ -33,11 +33,7 @@ def solutions_are_proven(
 ) -> str:
     """Return the sentence that a list of limit cycles of a loop with play is complete.
 
-    Args:
-        name: The proof, as its file is called.
-        plant: Of the card.
-        gap: Of the proof, m.
-        cycles: Of the card, for a gap of one metre.
+    The proof is of a gap, m; plant and cycles are of the card, these for a gap of one metre.
 
     Raises:
         OtherNumbersError: if the proof is of another plant, gap or list.
@@ -78,12 +74,7 @@ def orbit_is_proven(name: str, orbit: PeriodicOrbit) -> str:
 def cycle_is_proven(name: str, force: float, gap: float, frequency: float, none_at: float) -> str:
     """Return the sentence that a limit cycle with friction is there, and that none with more is computed.
 
-    Args:
-        name: The proof, as its file is called.
-        force: Friction, N.
-        gap: m.
-        frequency: As counted in a simulated motion, Hz.
-        none_at: Friction with which there is none, N.
+    Frictions are in N, the gap in m, the frequency in Hz, as counted in a simulated motion.
 
     Raises:
         OtherNumbersError: if the proof is of another friction, gap or frequency.

@@ -62,10 +62,7 @@ def backlash_loop() -> TextbookLoop:
 def graphical_intersections(loop: TextbookLoop, omegas: Reals, amplitudes: Reals) -> Reals:
     """Intersect G and -1/N as they are drawn through samples, as chains of straight lines.
 
-    Args:
-        loop: The loop; its N must not depend on frequency.
-        omegas: Angular frequencies of the samples of G, rad/s.
-        amplitudes: Amplitudes of the samples of -1/N.
+    Samples of G are at omegas, rad/s, those of -1/N at amplitudes; N must not depend on frequency.
 
     Returns:
         Frequency and amplitude at each intersection, interpolated along the lines, shape (intersections, 2).

@@ -24,12 +24,8 @@ def last_turn_in_steps(system: control.StateSpace, impulse: float, viscous: floa
     """Return when y' turns or comes to rest for the last time after an impulse, s, under a friction of one.
 
     Steps are those of Moreau: the force of friction is found from the velocity at the end of a step, so that
-    sticking needs no tolerance (Acary and Brogliato, 2008).
-
-    Args:
-        system: G, whose output has a velocity C A x.
-        impulse: Over the force, s.
-        viscous: Gain of the viscous part.
+    sticking needs no tolerance (Acary and Brogliato, 2008). The output of G has a velocity C A x; the impulse
+    is over the force, s, and ``viscous`` the gain of the viscous part.
     """
     A, B, rate = system.A, system.B[:, 0], (system.C @ system.A)[0]
     through = np.linalg.inv(np.eye(system.nstates) - FINE_STEP * A)
@@ -52,13 +48,8 @@ def lines_in_steps(
 ) -> Reals:
     """Return the amplitude of a line of y in the loop with friction-controlled backlash and a reference, m.
 
-    The motions start on the limit cycle. Between steps the element's output is taken as straight.
-
-    Args:
-        orbit: The limit cycle without reference, for a gap of one metre.
-        gap: m.
-        references: r at each step, one array for each motion.
-        frequencies: Of the line that is looked at, Hz, for each motion.
+    The motions start on the limit cycle, without reference for a gap of one metre. Between steps the
+    element's output is taken as straight. Of each motion r is given at each step, and the line, Hz.
     """
     system, rows = orbit.motion.loop.model, np.array(references)
     through, hold, ramp = linear_step(system.A, system.B[:, 0], STEP)

@@ -95,10 +95,6 @@ def corrected_programs(derivation: LinearTrimmer, parameters: TrimmerParameters)
 
     ``main_numbers.m`` returns their numbers, ``run_all.m`` prints them for a reader.
 
-    Args:
-        derivation: What was derived from the mechanism.
-        parameters: The trimmer whose numbers stand in the programs.
-
     Returns:
         Finished programs in thesis order; their texts are ASCII and depend on the arguments alone.
 

@@ -43,11 +43,7 @@ class Look:
 def page(template: str, look: Look, body: str, **values: object) -> str:
     """Return one page with its styles, scripts and font inside.
 
-    Args:
-        template: name of the template; it extends ``frame.html.j2``.
-        look: what the page is dressed in.
-        body: the inside of the page.
-        values: what the template asks for, the ``document`` with its title and subtitle among it.
+    Its template extends ``frame.html.j2`` and asks for values, the ``document`` with title and subtitle too.
     """
     styles = [_font_face(), "\n".join([*_templates(look.styles), variables(look.drawings)])]
     scripts = [*filter(None, [look.own_script]), "\n".join(_templates(look.scripts))]

@@ -22,11 +22,7 @@ class BrokenLinkError(ValueError):
 
 
 def check_links(markdown: str, elsewhere: Iterable[str] = ()) -> None:
-    """Check that places have names of their own and that each link leads to one.
-
-    Args:
-        markdown: the text of the report.
-        elsewhere: identifiers of the places that the report has outside of this text.
+    """Check that places, here and elsewhere, have names of their own and that each link leads to one.
 
     Raises:
         BrokenLinkError: listing the names that stand twice, or the links that lead nowhere.
@@ -47,12 +43,7 @@ def check_links(markdown: str, elsewhere: Iterable[str] = ()) -> None:
 
 
 def leading_elsewhere(source: str, file: str) -> str:
-    """Return Typst source in which a link to a place that it does not have leads to that place in a PDF.
-
-    Args:
-        source: what pandoc has written.
-        file: name of the PDF that has the other places, in the same folder.
-    """
+    """Return Typst source whose links to places that it does not have lead to those of a PDF beside it."""
     here = set(_LABEL_IN_TYPST.findall(source))
     return _LINK_IN_TYPST.sub(
         lambda link: link[0] if link[1] in here else f'#link("{file}#nameddest={link[1]}")', source

@@ -26,12 +26,7 @@ def read(markdown: str, lua_filter: Path | None = None) -> bytes:
 
 
 def write(content: bytes, target: str, arguments: Sequence[str]) -> str:
-    """Write what ``read`` has read in another format.
-
-    Args:
-        content: the text, in pandoc's own form.
-        target: name of pandoc's writer.
-        arguments: further options of pandoc.
+    """Write what ``read`` has read in another format, with further options of pandoc.
 
     Raises:
         PandocError: if pandoc fails or warns, for instance about mathematics that it cannot read.

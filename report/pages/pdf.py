@@ -36,12 +36,8 @@ def typeset(
 ) -> bytes:
     """Return Typst source as PDF, below the head that all reports share.
 
-    Args:
-        head: what stands above the text.
-        body: Typst source; it holds the label ``end-of-report``.
-        more: files that it names; there are no others for Typst.
-        paper: size of the pages.
-        store: where the PDF is kept, and taken from if nothing has changed.
+    It holds the label ``end-of-report`` and names no files but those given. The PDF is kept in the store, and
+    taken from there if nothing has changed.
 
     Raises:
         TypesettingError: if Typst cannot set it; the message names a formula that does not fit.

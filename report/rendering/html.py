@@ -34,11 +34,7 @@ _PLACE_OF_COPY = re.compile("<!-- reader's copy -->")
 def to_html(document: Document, body: str, copy: ReaderCopy | None = None) -> str:
     """Return the report as one HTML page with its style, script, font, figures, programs and sources inside.
 
-    Args:
-        document: the report.
-        body: its text, as ``Converter.html`` returns it.
-        copy: the reader's own copy, whose passages are then shown; it comes into the page here and is kept
-            nowhere else.
+    Passages of the reader's own copy come into the page here, and are kept nowhere else.
 
     Raises:
         BrokenLinkError: if a finding names a source file that is not there.

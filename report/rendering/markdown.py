@@ -107,13 +107,7 @@ def _sections(document: Document, template: Template, content: Mapping[str, Any]
 
 
 def shown(content: Shown, name: str, line: float) -> Markdown:
-    """Return one side of a comparison as Markdown.
-
-    Args:
-        content: the formula, number or words.
-        name: what the formula is called when it does not fit, and above its LaTeX.
-        line: width of the line it has to fit into, in em.
-    """
+    """Return one side of a comparison, by its name, as Markdown that fits into a line of some width, em."""
     if isinstance(content, Mathematics):
         return formula(content.latex, name, line)
     return in_line(content, line)

@@ -34,12 +34,7 @@ def render(
     """Write the report in the forms that are wanted; return the path of each.
 
     All of them are made before the first is written, so that a failure leaves the files of the last build.
-
-    Args:
-        document: the report, or the part of it that is wanted.
-        directory: folder of the files.
-        request: which forms, on which paper.
-        store: where converted pieces are kept for the next rendering; without it all are converted.
+    Converted pieces are kept in the store for the next rendering; without one all are converted.
 
     Raises:
         BrokenLinkError: if a link inside the report leads nowhere or two places share an identifier.
@@ -69,10 +64,6 @@ def render(
 def pdf_sources(converter: Converter, text: Mapping[str, bytes]) -> tuple[str, str]:
     """Return the source of the report to be read and of its cards; a link to the other one names its file.
 
-    Args:
-        converter: turns pieces into Typst.
-        text: the pieces, as ``Converter.parsed`` returns them.
-
     Raises:
         PandocError: if pandoc cannot write a piece.
     """
@@ -89,12 +80,7 @@ def to_pdf(
 ) -> bytes:
     """Return the report or its cards as PDF; the same document gives the same bytes on every machine.
 
-    Args:
-        document: the report.
-        form: which of the two.
-        body: its text, as ``pdf_sources`` returns it.
-        paper: size of the pages.
-        store: where the PDF is kept, and taken from if nothing has changed.
+    The PDF is kept in the store, and taken from there if nothing has changed.
 
     Raises:
         TypesettingError: if Typst cannot set it; the message names a formula that does not fit.

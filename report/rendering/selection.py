@@ -21,11 +21,7 @@ def chapter_name(number: str) -> str:
 
 
 def chapter_numbers(names: Sequence[str], known: Collection[str]) -> frozenset[str]:
-    """Return the numbers and letters of chapters that are named as on the command line.
-
-    Args:
-        names: names such as ``ch5`` and ``appA``, in upper or lower case.
-        known: numbers and letters of the chapters that there are.
+    """Return the numbers and letters of known chapters that are named as ``ch5`` or ``appA``, in either case.
 
     Raises:
         UnknownChapterError: if a name is none of a known chapter; the message lists those.

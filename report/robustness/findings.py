@@ -15,9 +15,7 @@ HALF_UNIT: Final = 0.05  # Of the last printed digit of that frequency, Hz
 def survivals(samples: tuple[Predictions, ...], drawn: int) -> Iterator[SurvivalRow]:
     """Return the findings that somebody builds on: those that are proven first, then the others.
 
-    Args:
-        samples: What is predicted with parameters at random.
-        drawn: How many were drawn, those without a stable limit cycle included.
+    Of parameters at random so many were drawn, those without a stable limit cycle included.
     """
     for claim, finding, because in _PROVEN:
         yield SurvivalRow(claim, finding, "proven", because)

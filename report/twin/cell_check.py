@@ -66,11 +66,6 @@ def seed_of(digest: str) -> int:
 def check_cells(maps: Sequence[KeptMap], seed: int, count: int = DRAWN) -> CellCheck:
     """Draw cells from all maps together, and compute them again.
 
-    Args:
-        maps: The maps.
-        seed: Of the draw.
-        count: How many cells.
-
     Raises:
         CellDifferenceError: naming a cell that repeats in another way than it did, or one more than
             ``MOST_OTHER`` that comes out differently.

@@ -39,11 +39,7 @@ ELSEWHERE: Final = (loop.SECTION, questions.SECTION, design.SECTION)
 
 
 def twin_chapter(known: Evidence, seed: int) -> TwinChapter:
-    """Return the chapter, after cells of its maps were computed again.
-
-    Args:
-        known: What was solved.
-        seed: Of the cells that are drawn.
+    """Return the chapter, after cells of its maps, drawn by a seed, were computed again.
 
     Raises:
         CellDifferenceError: if a cell comes out differently.

@@ -43,12 +43,7 @@ def work_folder() -> Path:
 
 
 def make(work: Path, folder: Path = FOLDER, grids: Sequence[Grid] = GRIDS) -> None:
-    """Compute what is not there yet, and write the kept files.
-
-    Args:
-        work: Folder of the maps that are under way.
-        folder: Folder of the kept files.
-        grids: Which maps to make.
+    """Compute the maps that are not there yet in a folder of work, and write the kept files into theirs.
 
     Raises:
         MapInterruptedError: after an interrupt; the next call goes on.

@@ -48,10 +48,7 @@ _IN_ASCII = {"±": "+-", "µ": "u", "μ": "u", "ω": "omega", "·": "*", "…": 
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command line and return its exit code.
-
-    Args:
-        arguments: Words after the program's name; those of the process if not given.
+    """Run the command line, by default with the words of the process, and return its exit code.
 
     Returns:
         0, or 2 for what the user can put right, or 130 if interrupted, or what the subcommand returns. A

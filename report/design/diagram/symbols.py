@@ -90,15 +90,7 @@ def actuator(axes: Axes, left: float, right: float, y: float) -> None:
 
 
 def pin(axes: Axes, edge: float, y: float, sign: int, length: float) -> float:
-    """Draw a pin that moves on a body; return where it is.
-
-    Args:
-        axes: The canvas.
-        edge: Edge of its body, or wall.
-        y: Height.
-        sign: 1 if it stands at the right of the body, -1 at the left.
-        length: How far from the edge.
-    """
+    """Draw a pin that moves on a body, a length from its edge, right (1) or left (-1); return where it is."""
     at = edge + sign * length
     ends = sorted((edge + sign * 0.03, at - sign * 0.07))
     arrow(axes, (ends[0], y), (ends[1], y), shrinkA=0, shrinkB=0, mutation_scale=6, arrowstyle="<|-|>")

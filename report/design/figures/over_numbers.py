@@ -128,12 +128,7 @@ MOST = 7  # Bars for each measure
 
 
 def influences(sensitivities: Sensitivities, asked: Sequence[tuple[MeasureOfPart, str]]) -> Figure:
-    """Draw the elasticities of some measures, one panel each.
-
-    Args:
-        sensitivities: What each number changes.
-        asked: The measures, and what they are called.
-    """
+    """Draw the elasticities of some measures, each with what it is called, one panel each."""
     rows = -(-len(asked) // 2)
     figure, all_axes = panels(0.5 + 1.75 * rows, rows, min(len(asked), 2), squeeze=False)
     flat = list(all_axes.flat)
@@ -154,12 +149,9 @@ def influences(sensitivities: Sensitivities, asked: Sequence[tuple[MeasureOfPart
 
 
 def target_maps(drawn: DesignMap, names: Sequence[str], marks: Sequence[tuple[float, float]]) -> Figure:
-    """Draw what each target bounds over two numbers, with the target as a contour.
+    """Draw what each named target bounds over two numbers, with the target as a contour.
 
-    Args:
-        drawn: The map.
-        names: What each target is called.
-        marks: Values of both numbers that are recommended, SI units.
+    Marks are the values of both numbers that are recommended, SI units.
     """
     rows = -(-len(drawn.targets) // 2)
     wide = min(len(drawn.targets), 2)

@@ -104,11 +104,7 @@ MARKS = {
 
 
 def line_spectrum(spectra: list[tuple[str, OutputSpectrum]]) -> Figure:
-    """Draw the lines of one output, or of an output before and after a change.
-
-    Args:
-        spectra: What each is called, and its lines; names are empty for a single one.
-    """
+    """Draw the lines of an output, or before and after a change; each has a name, empty for a single one."""
     figure, axes = panels(2.9)
     every = [line for _, each in spectra for line in each.lines]
     frequency = scale_for((line.frequency for line in every), "Hz")

@@ -82,9 +82,7 @@ def seat_rows(ratio: float) -> list[list[Any]]:
 def multiplied(share: float, near: LimitCycle) -> tuple[float, float]:
     """Return frequency (Hz) and amplitude that the product of two describing functions predicts.
 
-    Args:
-        share: Of the first play; both have one metre together.
-        near: The limit cycle of one play of one metre.
+    Both plays have one metre together, the first its share, near the limit cycle of a single play.
     """
     system = response(TrimmerParameters.thesis())
     first, second = FrictionBacklash(share), FrictionBacklash(1 - share)

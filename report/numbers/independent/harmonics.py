@@ -29,10 +29,7 @@ RIPPLE = np.arange(3, 80, 2)  # Orders that make up the ripple of the open loop
 def displacements(parameters: TrimmerParameters, omega: float, forces: Complexes | Reals) -> Complexes:
     """Solve (K + jωC - ω²M) q = F for the four displacements, m.
 
-    Args:
-        parameters: The trimmer.
-        omega: rad/s.
-        forces: Complex amplitudes of the forces on the bodies, N, shape (4,).
+    Forces are complex amplitudes, N, (4,); ω is in rad/s.
     """
     p = parameters
     stiffness = np.array(
@@ -59,15 +56,7 @@ def harmonic_of_friction(parameters: TrimmerParameters, force: float, order: int
 def harmonic_behind(
     system: control.lti.LTI, element: Element, amplitude: float, omega: float, order: int
 ) -> float:
-    """Return the amplitude of a harmonic of the open loop behind play, m.
-
-    Args:
-        system: G.
-        element: The play.
-        amplitude: Of the pin, m.
-        omega: Of the pin, rad/s.
-        order: Of the harmonic.
-    """
+    """Return the amplitude of a harmonic of G behind play, m, for a pin with an amplitude, m, at ω, rad/s."""
     gain = complex(element.describing_function(amplitude, omega, harmonic=order))
     return abs(gain * complex(response_at(system, order * omega))) * amplitude
 

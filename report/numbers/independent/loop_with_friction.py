@@ -75,9 +75,7 @@ class _HalfPeriods:
     def _from_turn(self, half: float, share: float) -> tuple[float, float, float]:
         """Return amplitude, friction, and by how much more than the gap the pin moves while the bridge rests.
 
-        Args:
-            half: Half a period, s.
-            share: Its share in which the bridge rests.
+        Given are half a period, s, and its share in which the bridge rests.
         """
         size, inputs = len(self.A), np.column_stack([self.B, self.F])
         rest, resting = _after(self.A, inputs, share * half)

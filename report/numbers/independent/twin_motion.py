@@ -47,16 +47,10 @@ class PlayPhase:
 
 
 def integrated(trimmer: PlayedTrimmer, state: Reals, times: Reals) -> Reals:
-    """Return states at rising times from a state at the first of them.
+    """Return states, (9, n), at rising times, s, (n,), from the state, (9,), at the first of them.
 
-    Args:
-        trimmer: What moves.
-        state: Displacements of motor, cutter, housing and guard, m, their velocities, m/s, and the stretch of
-            the bridge's spring, m; (9,).
-        times: s, (n,).
-
-    Returns:
-        States, (9, n).
+    It holds displacements of motor, cutter, housing and guard, m, their velocities, m/s, and the stretch of
+    the bridge's spring, m.
 
     Raises:
         ArithmeticError: if the integration fails, or has more than ``MOST_PHASES`` phases.

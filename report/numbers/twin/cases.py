@@ -120,12 +120,7 @@ def followed(mechanism: Mechanism) -> Followed:
 
 
 def twin_case(gap: float, force: float, frequency: float = FREQUENCY) -> TwinCase:
-    """Follow the twin from rest until it has settled.
-
-    Args:
-        gap: Total clearance, m.
-        force: Friction, N.
-        frequency: Of the drive, Hz.
+    """Follow the twin with a gap, m, friction, N, and drive, Hz, from rest until it has settled.
 
     Raises:
         OrbitNotFoundError: if the motion cannot be followed.

@@ -75,12 +75,7 @@ class FrozenBridge:
 
 
 def frozen_bridge(gap: float, force: float) -> FrozenBridge:
-    """Follow the thesis's driven model until it has settled.
-
-    Args:
-        gap: Total clearance, > 0, m.
-        force: Friction between cutter and guard, N.
-    """
+    """Follow the thesis's driven model with a gap > 0, m, and a friction, N, until it has settled."""
     parameters = TrimmerParameters.thesis()
     drive = Drive(DRIVE_AMPLITUDE, frequency=FREQUENCY)
     loop = TrimmerLoop(

@@ -23,11 +23,7 @@ class KeptDataError(TrimmerError, ValueError):
 
 
 def read_kept(path: Path, inputs: str) -> Any:
-    """Return the content of a kept file.
-
-    Args:
-        path: The file.
-        inputs: SHA-256 of what it has to be made from.
+    """Return the content of a kept file, which has to be made from inputs with a given SHA-256.
 
     Raises:
         KeptDataError: if the file is not there, was made from something else, or has been changed since.

@@ -16,12 +16,7 @@ SMALL_GAP, SMALL_FORCE = 40e-6, 0.5  # Play, m, and friction, N, of ``examples/t
 
 
 def twin(gap: float = SMALL_GAP, force: float = SMALL_FORCE, frequency: float = FREQUENCY) -> Mechanism:
-    """Return the mechanism of ``examples/thesis-play.toml``.
-
-    Args:
-        gap: Total clearance between pin and bridge, m.
-        force: Dry friction between blade and guard, N.
-        frequency: Of the drive, Hz.
+    """Return the mechanism of ``examples/thesis-play.toml`` with a gap, m, friction, N, and drive, Hz.
 
     Raises:
         MechanismError: if one of them is no such number.

@@ -14,12 +14,8 @@ def drawn(
 ) -> Figure:
     """Draw a picture in the look of all reports.
 
-    Args:
-        identifier: Name of the picture, unique in the report.
-        title: Its title, plain text.
-        caption: What is shown; plain text, or Markdown by its type.
-        alternative_text: What a reader who cannot see it must know, plain text.
-        draw: Draws it.
+    The identifier is unique in the report. The caption is plain text or Markdown by its type; the alternative
+    text says what a reader who cannot see it must know.
     """
     with style():
         svg = to_svg(draw(), identifier, title, alternative_text)

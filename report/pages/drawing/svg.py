@@ -29,16 +29,10 @@ _LETTER = re.compile(r'(?<=[#"])STIXGeneral-([A-Za-z]+)-')
 
 
 def to_svg(figure: Figure, identifier: str, title: str, alternative_text: str) -> str:
-    """Return a figure as SVG; the same figure gives the same text in every process.
+    """Return a figure as an ``svg`` element; the same figure gives the same text in every process.
 
-    Args:
-        figure: the figure, drawn inside ``report.pages.drawing.style.style()``.
-        identifier: prefix of every id, so that two figures in one page do not share one.
-        title: short name of the figure, for readers who do not see it.
-        alternative_text: what the figure shows, in words.
-
-    Returns:
-        An ``svg`` element without XML declaration and document type.
+    It is drawn inside ``report.pages.drawing.style.style()``. All ids begin with the identifier, so that two
+    figures in one page do not share one.
     """
     import matplotlib
 

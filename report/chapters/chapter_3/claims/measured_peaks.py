@@ -33,10 +33,7 @@ def on_a_bin(printed: str) -> bool:
 def common_drive(bins: Mapping[int, int], within: Fraction) -> tuple[float, float]:
     """Return the lowest and the highest drive frequency whose harmonics lie near the bins, Hz.
 
-    Args:
-        bins: Bin of each harmonic.
-        within: Greatest distance of a harmonic from its bin, in bins. Where there is no such frequency the
-            lowest is above the highest.
+    Within so many bins of theirs; where there is no such frequency the lowest is above the highest.
     """
     low = max((place - within) / harmonic for harmonic, place in bins.items())
     high = min((place + within) / harmonic for harmonic, place in bins.items())
