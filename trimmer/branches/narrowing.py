@@ -79,11 +79,8 @@ def _likely(
     error = max(error, least) * WIDENED ** (same - 1)
     if not -error <= border <= 1.0 + error:
         return None
-    border = min(max(border, 0.0), 1.0)
-    if on_left[-1] == (holder is left):
-        share = border + min(error, 0.5 * (1.0 - border))
-    else:
-        share = border - min(error, 0.5 * border)
+    border, beyond = min(max(border, 0.0), 1.0), float(on_left[-1] == (holder is left))
+    share = border + min(max(0.5 * (beyond - border), -error), error)
     return origin + ahead * min(max(share, least), 1.0 - least)
 
 

@@ -244,13 +244,12 @@ class Problem:
         if place is None:
             return None
         for _ in range(MOST_ITERATIONS):
-            if place.error <= EXACT:
-                return place
-            following = self._improved(place, normal, offset)
-            if following is None or following.error > 0.5 * place.error < 0.5 * CLOSED:
-                best = place if following is None or place.error < following.error else following
-                return best if best.error <= CLOSED else None
-            place = following
+            following = self._improved(place, normal, offset) if place.error > EXACT else None
+            if following is None:
+                break
+            place, before = following, place
+            if place.error > 0.5 * before.error < 0.5 * CLOSED:
+                break
         return place if place.error <= CLOSED else None
 
     def _improved(self, place: Place, normal: Reals, offset: float) -> Place | None:

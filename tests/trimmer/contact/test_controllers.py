@@ -63,6 +63,7 @@ CONTROLLERS = {
         **ENDS, numerator=(0.0, 0.03, 2.0), denominator=(1e-6, 4e-3, 1.0), limit=0.2
     ),
     "Padé": Pid(**ENDS, kp=0.8, kd=0.02, filter_time=5e-3, limit=0.2, delay=4e-3, pade=3),
+    "no delay": Pid(**ENDS, kp=0.8, kd=0.02, filter_time=5e-3, limit=0.2, pade=3),
 }
 REFERENCES = {
     "step": (StepReference(0.5, 0.05), lambda t: (0.5 * (t >= 0.05), 0.0)),
@@ -91,7 +92,7 @@ def law(controller: Controller, x: np.ndarray, e: float, v: float, rate: float) 
     """Return the rates of the states of a controller and what acts, as the definition says."""
     sat = np.inf if controller.limit is None else controller.limit
     follow = 0.0 if controller.tracking_time in (None, np.inf) else 1 / controller.tracking_time
-    if isinstance(controller, Pid) and controller.pade is None:
+    if isinstance(controller, Pid) and not controller.delay:
         d = controller.kd * (e - x[1]) / (controller.filter_time or 1.0)
         u = controller.kp * e + x[0] + d
         acts = np.clip(u, -sat, sat)
@@ -126,7 +127,7 @@ def by_hand(controller: Controller, path: object, duration: float) -> np.ndarray
         load = (-pull - 0.05 * q[1] - 1e-3 * v[1]) / 5e-4
         return np.array([*v, motor, load, *inner])
 
-    states = 4 if isinstance(controller, Pid) and controller.pade else 2
+    states = 4 if isinstance(controller, Pid) and controller.delay else 2
     y, begin = np.zeros(4 + states), 0.0
     for end in (*(each for each in JUMPS if each < duration), duration):
 
@@ -147,6 +148,7 @@ def by_hand(controller: Controller, path: object, duration: float) -> np.ndarray
         ("proportional", "ramp"),
         ("transfer", "step"),
         ("Padé", "sine"),
+        ("no delay", "step"),
     ],
 )
 def test_motion_is_that_of_equations_written_by_hand(kind: str, reference: str) -> None:

@@ -71,6 +71,14 @@ def test_the_thesis_has_its_two() -> None:
     assert found.exists.tolist() == [True]
 
 
+def test_poles_that_are_a_thousand_times_faster_are_found_too() -> None:
+    light = {"m1": np.array([1e-7 * THESIS["m1"]])}
+    found = sampled_limit_cycles(light, gap=4e-5)
+    assert (found.searched_again.tolist(), found.undecided.tolist()) == ([False], [False])
+    samples = {name: np.array([value]) for name, value in THESIS.items()} | light
+    assert_same(found, one_by_one(samples, [4e-5], "q2-q4", "both"))
+
+
 def test_numbers_and_rows_mix_and_keep_their_places() -> None:
     m2, k1 = THESIS["m2"], THESIS["k1"]
     varied = sampled_limit_cycles({"m2": [m2, 1.1 * m2], "k1": k1}, gap=[4e-5, 8e-5])

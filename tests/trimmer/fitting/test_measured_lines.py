@@ -11,10 +11,12 @@ RATE, COUNT, DRIVE = 2000.0, 2000, 50.0
 TIMES = np.arange(COUNT) / RATE
 
 
-def lines(noise: np.ndarray, *more: np.ndarray, drive: float | None = DRIVE) -> MeasuredLines:
+def lines(
+    noise: np.ndarray, *more: np.ndarray, drive: float | None = DRIVE, rate: float = RATE
+) -> MeasuredLines:
     tone = np.cos(2 * np.pi * DRIVE * TIMES) + 0.1 * np.cos(2 * np.pi * 3 * DRIVE * TIMES)
-    signals = {f"s{i}": Signal(tone + each, RATE, f"s{i}", "m") for i, each in enumerate((noise, *more))}
-    return measure_lines(signals, DRIVE, drive)
+    signals = {f"s{i}": Signal(tone + each, rate, f"s{i}", "m") for i, each in enumerate((noise, *more))}
+    return measure_lines(signals, DRIVE * rate / RATE, drive and drive * rate / RATE)
 
 
 def test_the_noise_of_a_line_is_what_it_scatters_by() -> None:
@@ -42,8 +44,8 @@ def test_noise_follows_its_colour() -> None:
     from scipy.signal import lfilter
 
     rng = np.random.default_rng(6)
-    found = lines(lfilter([0.01], [1, -0.9], rng.normal(size=COUNT)))
-    angles = 2 * np.pi * found.frequencies / RATE
+    found = lines(lfilter([0.01], [1, -0.9], rng.normal(size=COUNT)), rate=3.0 * RATE)
+    angles = 2 * np.pi * found.frequencies / (3.0 * RATE)
     wanted = 0.01 * np.sqrt(3 / COUNT) / abs(1 - 0.9 * np.exp(-1j * angles))
     assert found.deviations[:, 0] == pytest.approx(wanted, rel=0.3)
 

@@ -12,10 +12,13 @@ import pytest
 
 from tests.trimmer.servos import STICTION
 from trimmer import Mechanism, MotionKind, SerialRunner, motion_map, respond, simulate
+from trimmer.design import Measure, MeasureOfPart
+from trimmer.design.trial import TrialWork
 from trimmer.response.flows import flow_of
 from trimmer.response.results.response import SettledMotion
 from trimmer.response.results.response_json import response_json
 
+KP = "controllers.axis.kp"
 SERVO = """
 [bodies]
 motor = {{ inertia = {motor} }}
@@ -160,8 +163,16 @@ def test_hunting_that_is_chaotic_tells_how_far_it_goes() -> None:
     assert "largest Lyapunov exponent" in motion.message and "may still be a transient" in motion.message
 
 
+def test_a_trial_of_a_design_measures_rest_and_not_chaos() -> None:
+    stroke = MeasureOfPart(Measure.STROKE, "angle")
+    rests, hunts = map(TrialWork(servo(), (KP,), (stroke,), 0), ((20.0,), (52.0,)))
+    assert (rests.kind, hunts.kind) == (MotionKind.REST, None)
+    assert rests.value(stroke.measure, "angle") < 1e-12
+    assert np.isnan(hunts.value(stroke.measure, "angle"))
+
+
 def test_a_map_tells_the_chaos_of_a_cell_as_respond_does() -> None:
-    places = {"controllers.axis.kp": [20.0, 52.0]}
+    places = {KP: [20.0, 52.0]}
     cells = motion_map(servo(), places, runner=SerialRunner()).cells
     (rests,), (hunts,) = (cell.motions for cell in cells)
     assert (rests.kind, hunts.kind) == (MotionKind.REST, MotionKind.CHAOTIC)

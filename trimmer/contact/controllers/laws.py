@@ -56,8 +56,8 @@ def law_of(controller: Controller) -> Law:
     tracking = np.zeros(len(demand.names))
     if controller.tracking_time is not None:
         tracking[demand.names.index("integral")] = 1.0 / controller.tracking_time
-    delayed = controller.delay > 0 and controller.pade is not None
-    acting = realized(*_pade(controller.pade or 1, controller.delay), "delay") if delayed else _NOTHING
+    order = controller.pade if controller.delay else None
+    acting = _NOTHING if order is None else realized(*_pade(order, controller.delay), "delay")
     return Law(demand, tracking, acting)
 
 

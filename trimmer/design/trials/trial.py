@@ -148,7 +148,7 @@ class TrialWork:
         """Return what a machine without a drive does: over a period of its own, or where it rests."""
         found = came_to(flow, flow.rest())
         kind, course, orbit = found.kind, found.course, found.orbit
-        if course is None or found.returns > 1:
+        if course is None or kind not in (MotionKind.REST, MotionKind.PERIODIC):
             return self._failed(values)
         measures, count = Measures(course, flow, 1, 1), None if orbit is None else 1
         return Trial(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -83,7 +84,7 @@ def settles_to(orbit: Orbit, states: Reals) -> bool:
     )
 
 
-def approach(orbit: Orbit, states: Reals) -> float | None:
+def approach(orbit: Orbit, states: Reals) -> float:
     """Return how fast a motion comes nearer to a stable orbit, though it may still be far from it.
 
     The distance is measured in the eigenvectors of the return, in which it falls at once close to the orbit.
@@ -94,7 +95,7 @@ def approach(orbit: Orbit, states: Reals) -> float | None:
         states: At the start of each drive period, (count, n).
 
     Returns:
-        What the distance loses per return in proportion to what the multipliers say, both as logarithms; None
+        What the distance loses per return in proportion to what the multipliers say, both as logarithms; 0
         if it does not surely fall, or if there are too few returns.
     """
     vectors = np.linalg.eig(orbit.monodromy)[1]
@@ -103,10 +104,10 @@ def approach(orbit: Orbit, states: Reals) -> float | None:
     apart = scaled[first :: -orbit.periods][::-1]
     largest = float(abs(orbit.multipliers).max())
     if len(apart) < LEAST_RETURNS or not 0 < largest < 1:
-        return None
+        return 0.0
     distances = np.linalg.norm(np.linalg.lstsq(vectors, apart.T, rcond=None)[0], axis=0)
     numbers = np.arange(len(distances)) - (len(distances) - 1) / 2
     logarithms = np.log(np.maximum(distances, np.finfo(float).tiny))
     slope = float(numbers @ logarithms / (numbers @ numbers))
     error = float(np.std(logarithms - logarithms.mean() - slope * numbers) / np.linalg.norm(numbers))
-    return slope / np.log(largest) if slope < -ERRORS * error else None
+    return slope / math.log(largest) if slope < -ERRORS * error else 0.0

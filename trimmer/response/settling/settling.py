@@ -91,7 +91,7 @@ class Settling:
     @property
     def approaches(self) -> bool:
         """Whether it comes ever nearer to a stable orbit that is known, however slowly."""
-        return any(approach(orbit, self.states) is not None for orbit in self.known)
+        return any(approach(orbit, self.states) for orbit in self.known)
 
     def slowly_approached(self, instant: Instant) -> Orbit | None:
         """Return the stable orbit to which a motion comes nearer as slowly as its multipliers say.
@@ -104,8 +104,7 @@ class Settling:
         strobe = self.flow.strobe(instant, LONG_LOOK)
         if strobe.ending is not Ending.REACHED_END:
             return None
-        shares = ((approach(orbit, strobe.states), orbit) for orbit in self.known)
-        return next((orbit for share, orbit in shares if share is not None and 0.5 <= share <= 2.0), None)
+        return next((each for each in self.known if 0.5 <= approach(each, strobe.states) <= 2.0), None)
 
     def _accepted(self, orbits: Sequence[Orbit]) -> Orbit | None:
         return next((orbit for orbit in orbits if settles_to(orbit, self.states)), None)
