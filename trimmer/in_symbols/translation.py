@@ -122,16 +122,15 @@ class Translation:
         return parts.Force(carriers[end], value, against=carriers[start])
 
     def _output(self, name: str, output: Output, ends: Mapping[str, Any]) -> parts.Output:
+        value = self._function("outputs", name, "value")
+        if output.kind is OutputKind.CONTROL:
+            return parts.Output(value, (), force=self._function("controllers", str(output.part), "value"))
+        if output.part is not None:
+            return parts.Output(value, (), force=self._force_of(output.part, ends))
         weights = tuple(
             (ends[end], sympy.nsimplify(weight, rational=True)) for end, weight in output.weights.items()
         )
-        force = None
-        if output.kind is OutputKind.CONTROL:
-            force = self._function("controllers", str(output.part), "value")
-        elif output.part is not None:
-            force = self._force_of(output.part, ends)
-        order = 0 if force is not None else output.kind.value
-        return parts.Output(self._function("outputs", name, "value"), weights, order, force)
+        return parts.Output(value, weights, output.kind.value)
 
     def _force_of(self, part: str, ends: Mapping[str, parts.End]) -> sympy.Expr:
         """Return the force of a link, play, stop, wall or friction."""

@@ -53,7 +53,7 @@ def contact_measures(course: Course, part: int, periods: int) -> ContactMeasures
     speeds = tuple(_approach(course, part, int(row)) for row in made)
     touching = while_status(course, part, (UPPER, LOWER))
     share = float(durations(course)[touching].sum() / course.duration)
-    return ContactMeasures(len(speeds) / periods, speeds, None, share)
+    return ContactMeasures(len(speeds) / periods, speeds, None, share, 0.0)
 
 
 def _approach(course: Course, part: int, row: int) -> float:

@@ -21,7 +21,7 @@ class ContactMeasures:
     impact_speeds: tuple[float, ...]
     largest_force: float | None
     share: float
-    completed: float = 0.0
+    completed: float
 
     @property
     def impact_speed(self) -> float:

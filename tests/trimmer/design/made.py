@@ -18,7 +18,7 @@ def output(smallest: float, largest: float, amplitudes: Any = (), period_count: 
 
 
 def contact(speed: float, force: float = 1.0) -> ContactMeasures:
-    return ContactMeasures(2.0, (0.5 * speed, speed), force, 0.25)
+    return ContactMeasures(2.0, (0.5 * speed, speed), force, 0.25, 0.0)
 
 
 def friction(power: float, stick: float = 0.0) -> FrictionMeasures:

@@ -10,6 +10,7 @@ import pytest
 
 from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Stop, UnsupportedMotionError
 from trimmer.arrays import Places, Reals
+from trimmer.branches.period_maps.driven_map import DrivenMap
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.modes.system import MechanismSystem
 from trimmer.hybrid.advance import advance
@@ -83,6 +84,16 @@ def test_a_wall_among_many_changes_small_distances_as_it_does_alone() -> None:
     own = [0, COPIES]
     found, expected = together.monodromy[np.ix_(own, own)], alone.monodromy[:2, :2]
     np.testing.assert_allclose(found, expected, rtol=1e-6, atol=1e-6 * abs(expected).max())
+
+
+@pytest.mark.parametrize("place", ["stops.stop body 0.gap", "frictions.pad body 0.force"])
+def test_the_derivative_by_a_number_of_one_among_many_is_that_of_it_alone(place: str) -> None:
+    rates = []
+    for count in (COPIES, 1):
+        mechanism = copies(range(count))
+        map, value = DrivenMap(mechanism, place, mechanism.value(place), 2), mechanism.value(place)
+        rates.append(map.passage(value, np.zeros(map.size)).rate()[[0, count]])
+    np.testing.assert_allclose(*rates, rtol=1e-6, atol=1e-6 * abs(rates[1]).max())
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,7 +24,7 @@ from trimmer.contact.machine.machine import machine_of
 from trimmer.generated import linear_trimmer
 from trimmer.in_symbols.mechanism import symbolic_mechanism
 from trimmer.in_symbols.printed_symbols import printed_symbols
-from trimmer.mechanism import GROUND, Body, Link, Mechanism, Output, Pin, Play, linear_matrices
+from trimmer.mechanism import GROUND, Body, Link, Mechanism, Output, OutputKind, Pin, Play, linear_matrices
 from trimmer.mechanism.linear.matrices import displacement_rows
 from trimmer.mechanism.reading import mechanism_of_text
 
@@ -241,14 +241,21 @@ def assert_sources_are_usable(mechanism):
     assert unescaped.count("{") == unescaped.count("}")
 
 
-def test_outputs_are_told_in_displacements_of_bodies_and_pins():
+def test_outputs_are_told_in_motions_of_bodies_and_pins():
     mechanism = one_body(
         pins={"p": Pin("a", symbol="u")},
-        outputs={"half": Output({"p": 0.5}), "whole": Output({"a": 1, "p": -1})},
+        outputs={
+            "half": Output({"p": 0.5}),
+            "whole": Output({"a": 1, "p": -1}),
+            "rate": Output({"a": 1}, OutputKind.VELOCITY),
+            "bend": Output({"a": 1}, OutputKind.ACCELERATION),
+        },
     )
     latex = derive_mechanism_sources(mechanism).latex
     assert r"y_{\text{half}} = \frac{q_{a}}{2} + \frac{u}{2}" in latex
     assert r"y_{\text{whole}} = q_{a} - q_{a} - u" in latex
+    assert r"y_{\text{rate}} = \dot{q}_{a}" in latex
+    assert r"y_{\text{bend}} = \ddot{q}_{a}" in latex
 
 
 WALLS = """

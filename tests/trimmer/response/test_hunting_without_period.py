@@ -13,7 +13,7 @@ import pytest
 from tests.trimmer.servos import STICTION
 from trimmer import Mechanism, MotionKind, SerialRunner, motion_map, respond, simulate
 from trimmer.design import Measure, MeasureOfPart
-from trimmer.design.trial import TrialWork
+from trimmer.design.trials.trial import TrialWork
 from trimmer.response.flows import flow_of
 from trimmer.response.results.response import SettledMotion
 from trimmer.response.results.response_json import response_json

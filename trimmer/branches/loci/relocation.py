@@ -128,9 +128,9 @@ def _special_points(
     half = 0.5 * front.problem.span  # positions are in spans, and ends of an interval in its length
     interval = Interval(value - half, value + half)
     limits = Limits(interval, FollowSettings(largest_step=1.0), smooth)
-    length = ACROSS * reach
+    length = farthest = ACROSS * reach
     for _ in range(MOST_STEPS):
-        made, length = longest_step(front, min(length, ACROSS * reach), limits, smallest)
+        made, length = longest_step(front, min(length, farthest), limits, smallest)
         if made is None:
             return
         yield from made.special

@@ -73,6 +73,7 @@ def contact_measures(course: Course, part: int, periods: int) -> ContactMeasures
         tuple(speeds.tolist()),
         largest,
         float(durations(course)[touching].sum() / course.duration),
+        0.0,
     )
 
 

@@ -33,14 +33,10 @@ MARKERS = {
 
 def branch_figure(branch: FollowedBranch, measure: str | None = None, target: float | None = None) -> Figure:
     """Draw a branch that has points and those that part from it, one panel per output, or a measure."""
-    if measure is not None:
-        figure = new_figure(WIDTH, HEIGHT)
-        draw_branch(branch, figure.add_subplot(), None, measure, target)
-        return figure
-    names = _outputs(branch)
+    names = _outputs(branch) if measure is None else (None,)
     figure = new_figure(WIDTH, HEIGHT * len(names))
     for name, axes in zip(names, figure.subplots(len(names), squeeze=False)[:, 0], strict=True):
-        draw_branch(branch, axes, name)
+        draw_branch(branch, axes, name, measure, target)
     return figure
 
 
