@@ -34,7 +34,7 @@ class DesignSettings:
     cell_periods: int = 300
     neighbours: int = 7
     trials: int = 8
-    machines: int = 8
+    machines: int = 64
     remedy_starts: int = 4
     most_points: int = 300
     grid: int = 8

@@ -170,7 +170,7 @@ def meets_at_its_point(remedy: Remedy) -> bool:
 
 def beside_words(design: Design) -> str:
     """Return beside which point targets are looked at, as plain text."""
-    machines = max((len(each.around.beside(Beside.SCATTER)) for each in _remedies(design)), default=0)
+    machines = min((len(each.around.beside(Beside.SCATTER)) for each in _remedies(design)), default=0)
     driven = design.file.mechanism.frequency is not None
     told = [
         *([f"at speeds up to {percent(max(SPEEDS))} away"] if driven else []),

@@ -26,7 +26,8 @@ class Remedy:
     Attributes:
         changes: The changes.
         around: What the mechanism does then, at the point and beside it.
-        beside: Whether it was looked at under all conditions, not at the point alone.
+        beside: Whether it was looked at beside the point too: under all conditions, or as many as there was
+            time for.
         meeting: How many of several starts lead to a motion that meets all targets; None if not tried.
     """
 

@@ -1,15 +1,16 @@
 """Which change of one number, or of two at once, would meet the targets, and hold beside that point too.
 
 Each number is tried by itself over its range. From these trials a forecast says where one number or two meet
-all targets with the largest margin; there the motion is computed at the point, at neighbouring speeds and for
-machines as they scatter, the forecast is corrected by what came out, and so on. What is recommended was
-computed under all these conditions, and met the targets under each.
+all targets with the largest margin; there the motion is computed at the point, at some neighbouring speeds
+and for some machines as they scatter, the forecast is corrected by what came out, and so on. What holds there
+is computed under all conditions, as far as there is time; where it breaks, the forecast is corrected again.
 """
 
 import itertools
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from enum import IntEnum
 
 import numpy as np
 
@@ -25,6 +26,7 @@ from trimmer.design.trials.surroundings import (
     Beside,
     Condition,
     Numbers,
+    few_of,
     margins,
     study_around,
     trials_of,
@@ -45,6 +47,7 @@ FIRST = (
 """Which numbers come first if nothing is known of their influence."""
 SINGLES, PAIRS = 4, 8  # Changes of one number and of two that are computed, those with the best forecast
 ROUNDS = 5  # How often a forecast is corrected
+AGAIN = 2  # How often it is corrected after a change broke under one of all conditions
 DIGITS = 3  # Digits to which a number is rounded
 ALIKE = 0.02  # Margin that is given away for a change of one number in place of two
 
@@ -97,6 +100,14 @@ class _FromStarts:
         return replace(remedy, meeting=meeting)
 
 
+class _Looked(IntEnum):
+    """Where a change was computed: at its point, beside it too, under all conditions."""
+
+    POINT = 0
+    BESIDE = 1
+    EVERYWHERE = 2
+
+
 @dataclass
 class _Candidate:
     """A change that is improved from round to round."""
@@ -105,22 +116,36 @@ class _Candidate:
     offset: Reals
     margin: float = -1.0
     avoided: list[Reals] = field(default_factory=list)
-    seen: dict[Numbers, tuple[bool, Around]] = field(default_factory=dict)
+    seen: dict[Numbers, tuple[_Looked, Around]] = field(default_factory=dict)
 
-    def numbers(self) -> tuple[Numbers, Reals]:
-        """Return the numbers to try next, rounded, and their factors."""
+    def numbers(self) -> Numbers:
+        """Return the numbers to try next, rounded."""
         factors, self.margin = self.forecast.best(self.offset, tuple(self.avoided))
         scans = self.forecast.scans
-        rounded = tuple(
+        return tuple(
             (scan.place, float(f"{scan.value * math.exp(at):.{DIGITS}g}"))
             for scan, at in zip(scans, factors, strict=True)
         )
-        exact = [math.log(value / scan.value) for scan, (_, value) in zip(scans, rounded, strict=True)]
-        return rounded, np.array(exact)
 
-    def learn(self, numbers: Numbers, factors: Reals, around: Around, beside: bool) -> None:
-        """Correct the forecast by what came out, under all conditions or at the point alone."""
-        self.seen[numbers] = beside, around
+    def _factors(self, numbers: Numbers) -> Reals:
+        pairs = zip(self.forecast.scans, numbers, strict=True)
+        return np.array([math.log(value / scan.value) for scan, (_, value) in pairs])
+
+    def best(self) -> tuple[Numbers, _Looked, Around] | None:
+        """Return the best that was computed, where it was, and what came out."""
+        found = ((numbers, *each) for numbers, each in self.seen.items())
+        return max(found, key=lambda each: (each[1], each[2].margin(*Beside)), default=None)
+
+    @property
+    def is_unsure(self) -> bool:
+        """Whether its best holds where it was computed, but was not computed under all conditions."""
+        best = self.best()
+        return best is not None and best[1] is _Looked.BESIDE and best[2].holds
+
+    def learn(self, numbers: Numbers, around: Around, looked: _Looked) -> None:
+        """Correct the forecast by what came out."""
+        self.seen[numbers] = looked, around
+        factors = self._factors(numbers)
         targets, trials = around.targets, [trial for _, trial in around.trials]
         if not all(is_regular(each, targets) for each in trials):
             self.avoided.append(factors)
@@ -132,17 +157,16 @@ class _Candidate:
 
     def remedy(self) -> Remedy | None:
         """Return the best that was computed."""
-        if not self.seen:
+        best = self.best()
+        if best is None:
             return None
-        numbers, (beside, around) = max(
-            self.seen.items(), key=lambda each: (each[1][0], each[1][1].margin(*Beside))
-        )
+        numbers, looked, around = best
         scans = self.forecast.scans
         changes = (
             Change(scan.place, scan.unit, scan.value, value)
             for scan, (_, value) in zip(scans, numbers, strict=True)
         )
-        return Remedy(tuple(changes), around, beside)
+        return Remedy(tuple(changes), around, looked > _Looked.POINT)
 
 
 @dataclass
@@ -186,33 +210,49 @@ class _Search:
                 _, each.margin = each.forecast.best(each.offset)
             candidates += sorted(ones, key=lambda each: -each.margin)[:most]
         for _ in range(ROUNDS):
-            if self.runner.deadline.passed:
-                break
-            self._round(candidates)
+            self._round(candidates, few_of(self.conditions), _Looked.BESIDE)
+        broken = self._broken(candidates)
+        for _ in range(AGAIN):
+            self._round(broken, self.conditions, _Looked.EVERYWHERE)
         found = (each.remedy() for each in candidates)
         return [each for each in found if each is not None and each.is_needed]
 
-    def _round(self, candidates: list[_Candidate]) -> None:
+    def _round(
+        self, candidates: list[_Candidate], conditions: tuple[Condition, ...], looked: _Looked
+    ) -> None:
         """Compute what the forecasts propose, at the point and then, where it is worth it, beside it."""
-        proposed = [(each, *each.numbers()) for each in candidates]
+        proposed = [(each, each.numbers()) for each in candidates]
         fresh = [one for one in proposed if one[1] not in one[0].seen]
-        point = tuple(each for each in self.conditions if each.beside is Beside.POINT)
-        for conditions in (point, self.conditions):
-            if not fresh or self.runner.deadline.passed:
-                return
-            numbers = tuple(one for _, one, _ in fresh)
-            arounds = study_around(
-                self.mechanism, self.targets, conditions, self.settings, self.runner, numbers
-            )
-            self.count += sum(len(each.trials) for each in arounds)
-            whole = []
-            for one, around in zip(fresh, arounds, strict=True):
-                if len(around.trials) and around.trials[0][0].beside is Beside.POINT:
-                    beside = conditions is self.conditions and not self.runner.deadline.passed
-                    one[0].learn(one[1], one[2], around, beside)
-                    whole.append((one, around))
-            best = sorted(whole, key=lambda each: -each[1].margin(Beside.POINT))[: max(SINGLES, PAIRS)]
-            fresh = [one for one, around in best if around.margin(Beside.POINT) >= 0]
+        best = sorted(self._computed(fresh, conditions[:1], _Looked.POINT), key=lambda each: -each[0])
+        held = [one for margin, one in best[: max(SINGLES, PAIRS)] if margin >= 0]
+        self._computed(held, conditions, looked)
+
+    def _broken(self, candidates: list[_Candidate]) -> list[_Candidate]:
+        """Compute under all conditions what holds under a few; return what breaks there."""
+        unsure = [(each, best) for each in candidates if each.is_unsure and (best := each.best())]
+        broken = []
+        for each, (numbers, *_) in sorted(unsure, key=lambda one: -one[1][2].margin(*Beside)):
+            found = self._computed([(each, numbers)], self.conditions, _Looked.EVERYWHERE)
+            broken += [each for margin, _ in found if margin < 0]
+        return broken
+
+    def _computed(
+        self, wanted: list[tuple[_Candidate, Numbers]], conditions: tuple[Condition, ...], looked: _Looked
+    ) -> list[tuple[float, tuple[_Candidate, Numbers]]]:
+        """Compute changes under conditions, the point first; return the margins of those that are done."""
+        deadline = self.runner.deadline
+        if not wanted or deadline.passed:
+            return []
+        numbers = tuple(one for _, one in wanted)
+        arounds = study_around(self.mechanism, self.targets, conditions, self.settings, self.runner, numbers)
+        whole = looked is _Looked.POINT or not self.runner.deadline.passed  # else some may be missing
+        self.count += sum(len(each.trials) for each in arounds)
+        done = []
+        for one, around in zip(wanted, arounds, strict=True):
+            if whole and around.trials and around.trials[0][0].beside is Beside.POINT:
+                one[0].learn(one[1], around, looked)
+                done.append((around.margin(*Beside), one))
+        return done
 
     def from_starts(self, ranked: list[Remedy]) -> list[Remedy]:
         """Try remedies from several starts; those that do from all come first."""

@@ -16,7 +16,9 @@ from trimmer.maps.inputs import varied
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.runners.runner import Runner
 
-SPEEDS = (-0.05, -0.025, 0.025, 0.05)  # Neighbouring speeds: relative changes of the frequency of the drive
+SPEEDS = (-0.05, 0.05, -0.025, 0.025, -0.0375, 0.0375, -0.0125, 0.0125)
+"""Neighbouring speeds: relative changes of the frequency of the drive, those first that say most."""
+FEW_SPEEDS, FEW_MACHINES = 4, 8  # Of each so many are looked at first
 
 Numbers = tuple[tuple[str, float], ...]
 """Dotted places with the numbers, SI units, that stand there in place of those of the file."""
@@ -65,6 +67,14 @@ def conditions_of(
             for row in rows.tolist()
         ]
     return tuple(found)
+
+
+def few_of(conditions: tuple[Condition, ...]) -> tuple[Condition, ...]:
+    """Return the conditions that are looked at first: the point, and some of each kind beside it."""
+    most = {Beside.POINT: 1, Beside.SPEED: FEW_SPEEDS, Beside.SCATTER: FEW_MACHINES}
+    return tuple(
+        each for kind in Beside for each in [one for one in conditions if one.beside is kind][: most[kind]]
+    )
 
 
 @dataclass(frozen=True)
