@@ -16,7 +16,7 @@ from trimmer.design import Measure, MeasureOfPart
 from trimmer.design.trials.trial import TrialWork
 from trimmer.response.flows import flow_of
 from trimmer.response.results.response import SettledMotion
-from trimmer.response.results.response_json import response_json
+from trimmer.response.results.response_json import motion_json, response_json
 
 KP = "controllers.axis.kp"
 SERVO = """
@@ -140,6 +140,10 @@ def test_what_comes_to_a_cycle_slowly_is_told_to_and_not_to_grow() -> None:
 def test_of_what_takes_too_many_steps_it_is_told_how_far_it_swings() -> None:
     slowest = settled(Mechanism.from_toml_text(STICTION.replace("ki = 120.0", "ki = 0.01")))
     assert "it came again 2 times; at its events it swings peak to peak: angle by 0.00503" in slowest.message
+    swings = motion_json(slowest)["swings"]
+    # A slip goes at most 2 (0.08 - 0.05) N m / kp far, without the damping of kd.
+    assert swings["times"] == 2 and 0.0045 < swings["peak_to_peak"]["angle"] < 0.06 / 6.0
+    assert swings["peak_to_peak"]["torque"] == pytest.approx(2 * 0.08, rel=1e-6)
 
 
 def test_hunting_that_is_chaotic_tells_how_far_it_goes() -> None:

@@ -8,7 +8,7 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.signals import along
 from trimmer.response.by_itself.returns import Returns
 from trimmer.response.by_itself.self_excited import STRETCHES, SelfExcited
-from trimmer.response.results.response import MotionKind, SettledMotion
+from trimmer.response.results.response import MotionKind, SettledMotion, Swings
 from trimmer.response.statistics.window import Watched, watch
 from trimmer.showing.shown import counted
 
@@ -32,7 +32,8 @@ def unrepeated(flow: Flow, found: SelfExcited, most_periods: int | None) -> Sett
     if window is not None and returns is not None:
         begin = found.waited - returns.course.duration
         told += f" Figures are those of {window.duration:.6g} s from {begin:.6g} s on."
-    return SettledMotion(kind, None, window, 0, None, told)
+    swings = _swings(found)
+    return SettledMotion(kind, None, window, 0, None, told + _swings_told(flow, swings), swings=swings)
 
 
 def _watched(flow: Flow, returns: Returns) -> Watched | None:
@@ -51,22 +52,29 @@ def _told(found: SelfExcited, window: Watched | None) -> str:
     )
 
 
-def _swings(found: SelfExcited) -> str:
-    """Say how far the outputs swung from the event on to which a motion, cut short, came again; if it did."""
+def _swings(found: SelfExcited) -> Swings | None:
+    """Return how far it swung from the event on to which it came again, if it was cut short and did."""
     returns = found.returns
-    if returns is None or not returns.count:
-        return ""
+    if returns is None or not returns.count or not found.cut_short:
+        return None
     flow, course = returns.flow, returns.course
     # So long a motion has too many instants between its events.
     rows = np.arange(returns.rows[0], len(course.log.start))
     values = {
         name: along(course, each.signal, rows, course.log.state[rows]) for name, each in flow.outputs.items()
     }
-    told = [f"{name} by {np.ptp(each):.6g} {flow.outputs[name].unit}" for name, each in values.items()]
     since = found.waited - course.duration + float(course.log.start[rows[0]])
-    times = counted(returns.count, "time")
+    return Swings(since, returns.count, {name: float(np.ptp(each)) for name, each in values.items()})
+
+
+def _swings_told(flow: Flow, swings: Swings | None) -> str:
+    if swings is None:
+        return ""
+    told = [f"{name} by {size:.6g} {flow.outputs[name].unit}" for name, size in swings.peak_to_peak.items()]
+    times = counted(swings.times, "time")
     return (
-        f" From {since:.6g} s on it came again {times}; at its events it swings peak to peak: {listed(told)}."
+        f" From {swings.since:.6g} s on it came again {times}; at its events it swings peak to peak: "
+        f"{listed(told)}."
     )
 
 
@@ -81,7 +89,7 @@ def _undecided(found: SelfExcited, most_periods: int | None) -> str:
     if found.returns is not None and found.returns.slows_down:
         return f"{told}: each return takes longer than that before, so that it slows down for ever."
     if found.cut_short:
-        return f"{told}, and it was followed no further: {Ending.STEP_LIMIT.value}.{_swings(found)}"
+        return f"{told}, and it was followed no further: {Ending.STEP_LIMIT.value}."
     longer = 10 * max(searched, sum(STRETCHES) if most_periods is None else most_periods)
     return (
         f"{told}, {searched} periods of its slowest mode; {longer} of them would be followed with "

@@ -52,6 +52,21 @@ class MotionKind(Choice):
                 return self.word
 
 
+@dataclass(frozen=True)
+class Swings:
+    """How far a motion swung that came again, but was not followed until it repeats.
+
+    Attributes:
+        since: From when on, s.
+        times: How often it came again since then.
+        peak_to_peak: Largest less smallest value of each output at its events, in the unit of the output.
+    """
+
+    since: float
+    times: int
+    peak_to_peak: Mapping[str, float]
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class SettledMotion(Shown):
     """A motion that one or several starts settle to.
@@ -68,6 +83,7 @@ class SettledMotion(Shown):
         starts: How many starts settle to it.
         share: Their share of all starts.
         mirrored: Whether it is the mirror image of the motion before it in the list.
+        swings: How far it swung, if it took more steps than are followed.
     """
 
     kind: MotionKind
@@ -81,6 +97,7 @@ class SettledMotion(Shown):
     starts: int = 1
     share: float = 1.0
     mirrored: bool = False
+    swings: Swings | None = None
 
     @property
     def period_count(self) -> int | None:

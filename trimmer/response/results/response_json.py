@@ -1,5 +1,6 @@
 """What a mechanism settles to, as JSON has it: SI units, full precision."""
 
+from dataclasses import asdict
 from typing import Any
 
 from trimmer.mechanism.cut_waveforms import waveforms_left_out
@@ -55,6 +56,7 @@ def motion_json(motion: SettledMotion) -> dict[str, Any]:
         "window_periods": None if motion.window is None else motion.window.periods,
         "spectrum": _spectrum(motion),
         "message": motion.message,
+        **({} if motion.swings is None else {"swings": asdict(motion.swings)}),
     }
 
 
