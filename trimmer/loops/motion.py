@@ -10,14 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trimmer.arguments import real_values
 from trimmer.hybrid.nodes import sample
 from trimmer.loops.components.relay_component import HELD, RelayComponent
 from trimmer.loops.components.switched_component import EventKind
 from trimmer.loops.loop_signal import LoopSignal, row_in_modes
 from trimmer.loops.system import KINDS
-from trimmer.motion.motion import Motion
-from trimmer.showing.shown import ShownFields, Tabular, counted
+from trimmer.motion.motion import EventTable, Motion, ordered
+from trimmer.showing.shown import ShownFields
 from trimmer.showing.table import Column, Table, attributes
 
 if TYPE_CHECKING:
@@ -72,13 +71,10 @@ class Event(ShownFields):
     mode: str
 
 
-class Events(tuple[Event, ...], Tabular):
+class Events(EventTable[Event]):
     """Events in order of time, which are a table too."""
 
     __slots__ = ()
-
-    def _told(self) -> str:
-        return counted(len(self), "event")
 
     def _table(self) -> Table:
         return Table("Events", self, EVENT_COLUMNS)
@@ -147,11 +143,6 @@ class LoopMotion(Motion):
     def success(self) -> bool:
         """Whether the motion reached the end that was asked for."""
         return self.outcome is Outcome.COMPLETED
-
-    @property
-    def message(self) -> str:
-        """How the simulation ended, in words."""
-        return self.outcome.value
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what is pickled: the numbers of modes mean something to their loop alone."""
@@ -242,19 +233,13 @@ class LoopMotion(Motion):
         Raises:
             ValueError: if a time lies outside the motion, or is NaN.
         """
-        instants = real_values("times", times)
-        if not ((instants >= 0) & (instants <= self.duration)).all():
-            raise ValueError(f"times must lie between 0 and the end of the motion, {self.duration!r} s")
-        flat = instants.ravel()
-        order = np.argsort(flat, kind="stable")
-        segments = np.searchsorted(self.log.start, flat, side="right") - 1
-        states = np.empty((flat.size, self.log.state.shape[1]))
-        states[order] = sample(self.loop.modes.tables, self.log, flat[order])
-        visited = self.log.mode[segments]
+        instants, rising, order = ordered(times, self.duration)
+        states = sample(self.loop.modes.tables, self.log, rising)
+        visited = self.log.mode[np.searchsorted(self.log.start, rising, side="right") - 1]
         rows = {number: rows_of(self.loop.modes[number]) for number in np.unique(self.log.mode).tolist()}
-        values = np.empty((len(next(iter(rows.values()))), flat.size))
+        values = np.empty((len(next(iter(rows.values()))), order.size))
         for number, of_mode in rows.items():
-            values[:, visited == number] = of_mode @ states[visited == number].T
+            values[:, order[visited == number]] = of_mode @ states[visited == number].T
         shaped: Reals = values.reshape(len(values), *instants.shape)
         return shaped
 
@@ -273,12 +258,6 @@ class LoopMotion(Motion):
         values: Reals
         (values,) = self.values(times, lambda mode: row(mode)[None])
         return values
-
-    def _told(self) -> str:
-        return f"{self.duration:.6g} s, {counted(len(self.events), 'event')}, {self.message}"
-
-    def _table(self) -> Table:
-        return self.events._table()
 
     def _changes(self, segment: int) -> Iterator[_Listed]:
         """Yield what began a segment: each component that changed its mode."""

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 import numpy as np
 
-from trimmer.arguments import whole_number
-from trimmer.arrays import Reals
+from trimmer.arguments import real_values, whole_number
+from trimmer.arrays import Places, Reals
 from trimmer.messages import near_or_all
 from trimmer.showing.drawn import Drawn
-from trimmer.showing.shown import Tabular
-from trimmer.showing.table import over_time, to_frame
+from trimmer.showing.shown import Tabular, counted
+from trimmer.showing.table import Table, over_time, to_frame
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     import pandas
     from numpy.typing import ArrayLike
 
+AnyEvent = TypeVar("AnyEvent", covariant=True)
 POINTS = 1000  # Instants that are evenly spread, if no number is given
 
 
@@ -27,6 +28,29 @@ def moments(duration: float, events: Reals, points: int) -> Reals:
     """Return instants that are evenly spread over a motion, and those of its events, s, in their order."""
     even = np.linspace(0.0, duration, whole_number("points", points, 2))
     return np.union1d(even, events)
+
+
+def ordered(times: ArrayLike, duration: float) -> tuple[Reals, Reals, Places]:
+    """Return times, s, as an array, then flat and rising, and the places of these in it.
+
+    Raises:
+        ValueError: if a time lies outside a motion of a duration, s, or is NaN.
+    """
+    instants = real_values("times", times)
+    if not ((instants >= 0) & (instants <= duration)).all():
+        raise ValueError(f"times must lie between 0 and the end of the motion, {duration!r} s")
+    flat = instants.ravel()
+    order = np.argsort(flat, kind="stable")
+    return instants, np.array(flat[order], dtype=np.float64), order
+
+
+class EventTable(tuple[AnyEvent, ...], Tabular):
+    """Events in order of time, which are a table too."""
+
+    __slots__ = ()
+
+    def _told(self) -> str:
+        return counted(len(self), "event")
 
 
 class Energy(Protocol):
@@ -64,10 +88,18 @@ class Motion(Tabular, Drawn):
     def success(self) -> bool:
         """Whether it reached the end that was asked for."""
 
+    outcome: Any
+    """How it ended; its value are words."""
+
     @property
-    @abstractmethod
     def message(self) -> str:
         """How it ended, in words."""
+        return str(self.outcome.value)
+
+    @property
+    @abstractmethod
+    def events(self) -> EventTable[Any]:
+        """All events in order of time."""
 
     @property
     @abstractmethod
@@ -87,6 +119,12 @@ class Motion(Tabular, Drawn):
     @abstractmethod
     def signals(self) -> Mapping[str, str]:
         """The unit of each signal, by its name; empty for a number."""
+
+    def _told(self) -> str:
+        return f"{self.duration:.6g} s, {counted(len(self.events), 'event')}, {self.message}"
+
+    def _table(self) -> Table:
+        return self.events._table()
 
     @abstractmethod
     def _read(self, name: str, times: ArrayLike) -> Reals:

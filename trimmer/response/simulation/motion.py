@@ -7,7 +7,6 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from trimmer.arguments import real_values
 from trimmer.arrays import Integers, Reals
 from trimmer.choices import Choice
 from trimmer.contact.flow import MechanismFlow
@@ -24,12 +23,11 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.messages import near_or_all
 from trimmer.motion.course import Course
 from trimmer.motion.flow import signals_of
-from trimmer.motion.motion import Motion
+from trimmer.motion.motion import EventTable, Motion, ordered
 from trimmer.motion.signals import Signal, Steady, along
 from trimmer.response.simulation.closings import Closing, closings
 from trimmer.response.simulation.energy import MechanismEnergy, energy_of
 from trimmer.response.without_events.rest import Rest
-from trimmer.showing.shown import Tabular, counted
 from trimmer.showing.table import Table, attributes
 
 
@@ -85,13 +83,10 @@ class MechanismEvent:
         return abs(self.rate)
 
 
-class MechanismEvents(tuple[MechanismEvent, ...], Tabular):
+class MechanismEvents(EventTable[MechanismEvent]):
     """Events in order of time, which are a table too."""
 
     __slots__ = ()
-
-    def _told(self) -> str:
-        return counted(len(self), "event")
 
     def _table(self) -> Table:
         units = {each.unit for each in self} or {"m/s"}
@@ -133,11 +128,6 @@ class MechanismMotion(Motion):
     def success(self) -> bool:
         """Whether it reached the end that was asked for."""
         return self.outcome is Ending.REACHED_END
-
-    @property
-    def message(self) -> str:
-        """How it ended, in words."""
-        return self.outcome.value
 
     @cached_property
     def events(self) -> MechanismEvents:
@@ -292,11 +282,7 @@ class MechanismMotion(Motion):
         return self._signal(signals_of(self.flow)[name].signal, times)
 
     def _told(self) -> str:
-        title, events = self.mechanism.title, counted(len(self.events), "event")
-        return f"{title}, {self.duration:.6g} s, {events}, {self.message}"
-
-    def _table(self) -> Table:
-        return self.events._table()
+        return f"{self.mechanism.title}, {super()._told()}"
 
     @property
     def _size(self) -> int:
@@ -313,15 +299,10 @@ class MechanismMotion(Motion):
 
     def _at(self, times: ArrayLike, values_at: Callable[[Integers, Reals], Reals]) -> Reals:
         """Return what rows of the log and extended states in them give, in the shape of the times, s."""
-        instants = real_values("times", times)
-        if not ((instants >= 0) & (instants <= self.duration)).all():
-            raise ValueError(f"times must lie between 0 and the end of the motion, {self.duration!r} s")
-        flat = instants.ravel()
-        order = np.argsort(flat, kind="stable")
-        ordered = np.array(flat[order], dtype=np.float64)
-        rows = np.searchsorted(self.course.log.start, ordered, side="right") - 1
-        values = np.empty(len(flat))
-        values[order] = values_at(rows.astype(np.int64), self.course.states(ordered))
+        instants, rising, order = ordered(times, self.duration)
+        rows = np.searchsorted(self.course.log.start, rising, side="right") - 1
+        values = np.empty(len(rising))
+        values[order] = values_at(rows.astype(np.int64), self.course.states(rising))
         return values.reshape(instants.shape)
 
 
