@@ -16,41 +16,45 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from flint import arb, arb_mat, ctx, fmpq
+from flint import arb, arb_mat, ctx
 
-from trimmer.proof.balls import about, exact, real
+from trimmer.proof import statement
+from trimmer.proof.balls import about
 from trimmer.proof.outcome import UndecidedError, require_time
 from trimmer.proof.statement import Course, Equations, Row, StatedSpecialPoint
 
-MOST_TERMS = 36  # Of Taylor's polynomials over what an event is later than computed
+PRECISION = 1408  # Bits; balls grow by about a factor e with each step of 1/|M|
+RADIUS = -640  # Power of two of the radius of the ball of starts, as a share of the sizes
+MOST_TERMS = 200  # Of Taylor's polynomials over what an event is later than computed
 BY_LAW = 1e-9  # Share of its terms below which something is taken for what the law says: zero
 MOST_STEPS = 6000  # Of a segment
-RADIUS = -150  # Power of two of the radius of the ball of starts, as a share of the sizes
 
 
-def matrix(rows: Sequence[Row]) -> arb_mat:
-    """Return doubles as exact balls."""
-    return arb_mat([[real(exact(each)) for each in row] for row in rows])
+def diagonal(values: Sequence[arb | int]) -> arb_mat:
+    """Return a matrix of values on its diagonal."""
+    return arb_mat(
+        [[arb(value) if i == k else arb(0) for k in range(len(values))] for i, value in enumerate(values)]
+    )
 
 
 @dataclass(frozen=True)
 class Segment:
     """One piece of the motion."""
 
+    told: statement.Segment  # As the file has it
     flow: arb_mat  # M, (N, N)
     functions: arb_mat  # The event functions, (f, N)
     reset: arb_mat  # What becomes of Z before it, (N, N)
-    duration: arb  # As computed, s
-    fired: int | None  # The event function that ends it; None for the last one
-    together: tuple[int, ...]  # Others that are a multiple of it for all Z that this mode can have
-    zeros: dict[int, int]  # How many derivatives of event functions vanish at its start, counting the zeroth
-    at: arb | None  # When it ends if a clock ends it, s from the start; None for any other
-    strict: arb_mat | None  # What is positive then, (m, N)
-    n: int  # How many of Z are states
-    sizes: list[arb]  # Of Z, N
+    strict: arb_mat  # What is positive when it ends, (m, N)
+    scales: list[arb]  # Of Z, N, no smaller than the sizes, in which M has a small norm
     # The first three for Z and its derivative by a number: that above, and Z below, (2N,); where nothing is
     # varied, they are themselves
     lifted: tuple[arb_mat, arb_mat, arb_mat]
+
+    @property
+    def duration(self) -> arb:
+        """As computed, s."""
+        return arb(self.told.duration)
 
     @cached_property
     def norm(self) -> arb:
@@ -58,21 +62,15 @@ class Segment:
         return norm(self.lifted[0])
 
     @cached_property
-    def balanced(self) -> tuple[list[arb], arb]:
-        """Scales of Z, no smaller than the sizes, in which M has a small norm, and that norm."""
-        scales = _balanced(self.flow, self.sizes, self.n)
-        rows = zip(self.flow.tolist(), scales, strict=True)
-        return scales, norm(
-            arb_mat(
-                [[entry * scale / own for entry, scale in zip(row, scales, strict=True)] for row, own in rows]
-            )
-        )
+    def rate(self) -> arb:
+        """The same of M in the scales."""
+        return norm(diagonal([1 / each for each in self.scales]) * self.flow * diagonal(self.scales))
 
     @cached_property
     def count(self) -> int:
         """Steps so short that Taylor's polynomials hold over each; two at least where an event is to come."""
-        steps = math.ceil(float((self.balanced[1] * self.duration).upper()))
-        return max(1 if self.fired is None else 2, steps)
+        steps = math.ceil(float((self.rate * self.duration).upper()))
+        return max(1 if self.told.fired is None else 2, steps)
 
     @cached_property
     def step(self) -> arb_mat:
@@ -102,13 +100,13 @@ class Followed:
 class Tables:
     """The numbers of the equations, in the units, or by how much they change with a number."""
 
-    flows: list[arb_mat]  # M of each mode
+    flows: list[arb_mat]  # M of each mode, without what turns
     functions: list[arb_mat]  # Event functions of each mode
-    resets: list[arb_mat]  # What becomes of Z before each segment
+    resets: list[arb_mat]  # What may become of Z
     forcing: arb_mat  # What forces the states at the start
     period: arb  # How long all takes, s; 0 if that is unknown
 
-    def combined(self, share: arb | fmpq, other: Tables) -> Tables:
+    def combined(self, share: arb, other: Tables) -> Tables:
         """Return the sum of these and a share of others."""
 
         def each(own: list[arb_mat], others: list[arb_mat]) -> list[arb_mat]:
@@ -137,36 +135,28 @@ class BallMotion:
             [equations] if isinstance(equations, Equations) else [each.equations for each in equations.beside]
         )
         self.n, self.autonomous = len(course.state), sides[0].period is None
-        self.count = self.n + len(sides[0].forcing)
+        ones = (1.0,) * len(sides[0].forcing)
+        self.count = self.n + len(ones)
         # Powers of two as units of the states change no digit.
-        units = [*(math.frexp(each)[1] for each in course.sizes), *(0 for _ in sides[0].forcing)]
-        self.units = [arb(2) ** each for each in units]
-        self.signs = course.signs or (1,) * self.n
-        self.sizes = [*self._in_units(course.sizes), *(arb(1) for _ in sides[0].forcing)]
-        self.start = self._in_units(course.state)
-        self.shifts = [
-            (
-                self._in_units(along),
-                [real(exact(each)) * unit for each, unit in zip(leader, self.units, strict=False)],
-            )
-            for along, leader in course.shifts
+        self.units = [
+            arb(2) ** (math.frexp(each)[1] if k < self.n else 0)
+            for k, each in enumerate((*course.sizes, *ones))
         ]
+        self.sizes = [arb(each) / unit for each, unit in zip((*course.sizes, *ones), self.units, strict=True)]
+        self.start = [arb(each) / unit for each, unit in zip(course.state, self.units, strict=False)]
         self.tables = self._tables(sides[0])
         if isinstance(equations, StatedSpecialPoint):
-            first, last = (exact(each.value) for each in equations.beside)
-            change = self._tables(sides[1]).combined(fmpq(-1), self.tables)
+            first, last = (arb(each.value) for each in equations.beside)
+            change = self._tables(sides[1]).combined(arb(-1), self.tables)
             self.unit = arb(2) ** math.frexp(equations.value)[1]
-            self.slopes = change.combined(self.unit / real(last - first) - 1, change)
-            self.tables = self.tables.combined((exact(equations.value) - first) / (last - first), change)
+            self.slopes = change.combined(self.unit / (last - first) - 1, change)
+            self.tables = self.tables.combined((arb(equations.value) - first) / (last - first), change)
         self.segments = self._segments(self.tables)
-
-    def _in_units(self, values: Row) -> list[arb]:
-        return [real(exact(each)) / unit for each, unit in zip(values, self.units, strict=False)]
 
     @property
     def unknowns(self) -> int:
-        """How many numbers are unknown: start, an unknown period, shifts, the number that is varied."""
-        return self.n + self.autonomous + len(self.shifts) + (self.slopes is not None)
+        """How many numbers are unknown: start, an unknown period, the number that is varied."""
+        return self.n + self.autonomous + (self.slopes is not None)
 
     @cached_property
     def period(self) -> arb:
@@ -181,65 +171,69 @@ class BallMotion:
         found.segments = self._segments(found.tables)
         return found
 
+    @cached_property
+    def mirror(self) -> arb_mat:
+        """What makes the start of the end; one where that is the end itself."""
+        signs = [*(self.course.signs or (1,) * self.n), *(1 for _ in range(self.count - self.n))]
+        for *pair, order in self.course.turning if self.course.signs else ():
+            for place in pair:
+                signs[self.n + place] = (-1) ** order
+        return diagonal(signs)
+
+    def rows(self, table: Sequence[Row]) -> arb_mat:
+        """Return functionals of Z in the units, (m, N)."""
+        return (
+            arb_mat([list(each) for each in table]) * diagonal(self.units)
+            if table
+            else arb_mat(0, self.count)
+        )
+
     def _tables(self, given: Equations) -> Tables:
         """Return the numbers of equations in the units."""
         period = arb(0)
         if given.period is not None:
-            period = real(exact(given.period)) * real(exact(self.course.periods))
+            period = arb(given.period) * arb(self.course.periods)
+        inverse = diagonal([1 / each for each in self.units])
+        still = ((0.0,) * self.count,) * (self.count - self.n)
         return Tables(
-            [self._square(_padded(matrix(mode.flow), self.count, self.count)) for mode in given.modes],
-            [self._rows(matrix(mode.functions)) for mode in given.modes],
-            [self._square(matrix(each)) for each in given.resets],
-            arb_mat([[real(exact(each))] for each in given.forcing]),
+            [inverse * self.rows((*mode.flow, *still)) for mode in given.modes],
+            [self.rows(mode.functions) for mode in given.modes],
+            [inverse * self.rows(each) for each in given.resets],
+            _upright([arb(each) for each in given.forcing]),
             period,
         )
 
     def _segments(self, tables: Tables) -> list[Segment]:
-        found, by, n, turns = [], self.slopes, self.n, self._rotation(tables.period)
-        for each, reset in zip(self.course.segments, range(len(tables.resets)), strict=True):
-            mode = each.mode
-            three = tables.flows[mode] + turns[0], tables.functions[mode], tables.resets[reset]
+        found, by, same = [], self.slopes, diagonal([1] * self.count)
+        turning = same * 0
+        for first, second, order in self.course.turning:
+            i, k = self.n + first, self.n + second
+            turning[i, k], turning[k, i] = arb(order), arb(-order)
+        if not self.autonomous:
+            turning = turning * (2 * arb.pi() * arb(self.course.periods) / tables.period)
+        for each in self.course.segments:
+            mode, reset = each.mode, same if each.reset is None else tables.resets[each.reset]
+            three = tables.flows[mode] + turning, tables.functions[mode], reset
+            scales = _balanced(three[0], self.sizes, self.n)
             lifted = three
             if by is not None:
-                slopes = by.flows[mode] + turns[1] * by.period, by.functions[mode], by.resets[reset]
+                faster = turning * (-by.period / tables.period) if not self.autonomous else turning
+                jump = same * 0 if each.reset is None else by.resets[each.reset]
+                zero = same * 0
                 lifted = (
-                    _blocks([[three[0], slopes[0]], [three[0] * 0, three[0]]]),
-                    _blocks([[three[1], slopes[1]]]),
-                    _blocks([[three[2], slopes[2]], [three[2] * 0, three[2]]]),
+                    blocks([[three[0], by.flows[mode] + faster], [zero, three[0]]]),
+                    blocks([[three[1], by.functions[mode]]]),
+                    blocks([[three[2], jump], [zero, three[2]]]),
                 )
-            at = None if each.at is None else real(exact(each.at))
-            strict = self._rows(matrix(each.strict)) if each.strict else None
-            falls = each.fired, each.together, dict(each.zeros)
-            found.append(
-                Segment(*three, real(exact(each.duration)), *falls, at, strict, n, self.sizes, lifted)
-            )
+            found.append(Segment(each, *three, self.rows(each.strict), scales, lifted))
         return found
-
-    def _rotation(self, period: arb) -> tuple[arb_mat, arb_mat]:
-        """Return the flow of what forces the states, orders times 2 pi over a period, and its slope."""
-        zeros, orders = [arb(0)] * self.n, self.course.rotation
-        table = arb_mat([[arb(0)] * self.count] * self.n + [[*zeros, *map(arb, row)] for row in orders])
-        if self.autonomous:
-            return table, table
-        omega = 2 * arb.pi() * real(exact(self.course.periods)) / period
-        return table * omega, table * (-omega / period)
-
-    def _square(self, table: arb_mat) -> arb_mat:
-        """Return a matrix from Z to Z in the units."""
-        size = range(self.count)
-        return arb_mat([[table[i, k] * self.units[k] / self.units[i] for k in size] for i in size])
-
-    def _rows(self, table: arb_mat) -> arb_mat:
-        """Return functionals of Z in the units."""
-        size = range(self.count)
-        return arb_mat([[table[i, k] * self.units[k] for k in size] for i in range(table.nrows())])
 
     def follow(self, unknown: list[arb], with_change: bool = False) -> Followed:
         """Follow the motion from a ball of what is unknown.
 
         Args:
-            unknown: The states at the start; what an unknown period is longer than computed, s; how far the
-                end is shifted; the number that is varied less its value, in its unit.
+            unknown: The states at the start; what an unknown period is longer than computed, s; the number
+                that is varied less its value, in its unit.
             with_change: Whether the derivative is wanted too.
         """
         if self.slopes is not None and not unknown[-1].is_zero():
@@ -256,33 +250,31 @@ class BallMotion:
             columns = reset * columns
             starts.append(_column(columns, unknowns, size))
             columns = segment.propagator * columns
-            if segment.fired is None:
+            if segment.told.fired is None:
                 known = self.period + unknown[n] if self.autonomous else self.tables.period
-                late = (known if segment.at is None else segment.at) - elapsed - total
+                at = segment.told.at
+                late = (known if at is None else arb(at)) - elapsed - total
                 columns = _moved(segment, columns, late)
                 by_start = later * -1
             else:
-                row = arb_mat([[functions[segment.fired, k] for k in range(functions.ncols())]])
+                row = arb_mat([functions.tolist()[segment.told.fired]])
                 late, slope = _event(segment, row, _column(columns, unknowns, columns.nrows()))
                 columns = _moved(segment, columns, late)
                 by_start = arb_mat([(row * columns).tolist()[0][:unknowns]]) * (-1 / slope)
             later, total = later + by_start, total + late
             z = _column(columns, unknowns, size)
-            columns = columns + _padded((segment.flow * z) * by_start, columns.nrows(), columns.ncols())
+            rates = [*(segment.flow * z).entries(), *([arb(0)] * (columns.nrows() - size))]
+            columns = columns + _upright(rates) * arb_mat([[*by_start.entries(), arb(0)]])
             ends.append(z)
             lates.append(late)
-        back = [sign * ends[-1][i, 0] for i, sign in enumerate(self.signs)]
-        change = [[sign * columns[i, k] for k in range(unknowns)] for i, sign in enumerate(self.signs)]
-        for place, (along, _) in enumerate(self.shifts, n + self.autonomous):
-            back = [each - unknown[place] * way for each, way in zip(back, along, strict=True)]
-            for of_state, way in zip(change, along, strict=True):
-                of_state[place : place + 1] = [-way] if unknowns else []
-        return Followed(starts, ends, lates, back, change)
+        back = (self.mirror * ends[-1]).entries()[:n]
+        change = (self.mirror * block(columns, size)).tolist()
+        return Followed(starts, ends, lates, back, [row[:unknowns] for row in change[:n]])
 
     def _first(self, unknown: list[arb], unknowns: int) -> tuple[arb_mat, arb_mat]:
         """Return derivatives of Z by what is unknown with Z behind them, and of how much later it is."""
         n, size, by = self.n, self.count, self.slopes
-        z = [*unknown[:n], *(self.tables.forcing[i, 0] for i in range(size - n))]
+        z = [*unknown[:n], *self.tables.forcing.entries()]
         table = [[arb(int(i == k < n)) for k in range(unknowns)] + [z[i]] for i in range(size)]
         later = [arb(0)] * unknowns
         if unknowns and self.autonomous:
@@ -299,16 +291,19 @@ class BallMotion:
     @cached_property
     def phase(self) -> list[arb]:
         """A functional of the start that is to stay as it is: along the rates there, in sizes."""
-        z = arb_mat([[each] for each in self.start] + self.tables.forcing.tolist())
-        rates = self.segments[0].flow * (self.segments[0].reset * z)
+        rates = self.segments[0].flow * _upright([*self.start, *self.tables.forcing.entries()])
         return [arb((rates[i, 0] / self.sizes[i] ** 2).mid()) for i in range(self.n)]
+
+
+def _upright(values: Sequence[arb]) -> arb_mat:
+    return arb_mat([[each] for each in values])
 
 
 def _column(table: arb_mat, place: int, rows: int) -> arb_mat:
     return arb_mat([[table[i, place]] for i in range(rows)])
 
 
-def _blocks(blocks: list[list[arb_mat]]) -> arb_mat:
+def blocks(blocks: list[list[arb_mat]]) -> arb_mat:
     """Put blocks together."""
     rows = []
     for line in blocks:
@@ -317,15 +312,9 @@ def _blocks(blocks: list[list[arb_mat]]) -> arb_mat:
     return arb_mat(rows)
 
 
-def _padded(table: arb_mat, rows: int, columns: int) -> arb_mat:
-    """Fill a table with zeros below and to the right."""
-    wide = [[*row, *([arb(0)] * (columns - len(row)))] for row in table.tolist()]
-    return arb_mat(wide + [[arb(0)] * columns for _ in range(rows - len(wide))])
-
-
-def identity(size: int) -> arb_mat:
-    """Return the exact identity."""
-    return arb_mat([[arb(int(i == k)) for k in range(size)] for i in range(size)])
+def block(table: arb_mat, size: int) -> arb_mat:
+    """Return what of a matrix, lifted or not, is for Z alone."""
+    return arb_mat([row[:size] for row in table.tolist()[:size]])
 
 
 def moduli(table: arb_mat) -> arb_mat:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -22,6 +22,9 @@ LEAST = 1e-6
 """Size of a state as a share of the largest of its kind that it has at least: below that it hardly moves."""
 INSTANTS = 256  # Of a motion, at which its size is taken
 BESIDE = 1e-6  # Share of a motion within which an event is too near to where it begins
+DECAYED = 40.0  # How many times over a motion without events what is not held falls to a share e
+EVENLY = ", in a frame that moves evenly"
+BUT_FOR_SHIFTS = ", but for shifts along which no force changes"
 NOTHING_FELL, ROUNDING = -1, 1e-12
 """In the log in place of an event function; share of a time within which it is another one."""
 SMALL = 1e-10  # Share of its terms below which a derivative of an event function is taken for zero by law
@@ -70,6 +73,31 @@ class Seen:
         return self.mode(row - 1).functions[int(self.log.function[row])]
 
 
+@dataclass(frozen=True)
+class Coordinates:
+    """Those of a proof: states less the shift of their leader, where a motion may be shifted so."""
+
+    onto: Any  # Z in them by Z, (N', N)
+    back: Any  # Z by Z in them, the leaders at 0, (N, N')
+
+    @classmethod
+    def of(cls, flow: Flow) -> Self:
+        """Return those in which nothing is left along which a motion may be shifted."""
+        layout = flow.modes.system.layout
+        whole = np.eye(layout.size)
+        if not flow.shifts:
+            return cls(whole, whole)
+        back = np.delete(whole, layout.frame.leading, axis=1)
+        return cls(back.T @ layout.frame.reduced(whole).T, back)
+
+    def functional(self, row: Any, called: str = "an event function") -> list[float]:
+        """Return a functional of Z in them, if it is one."""
+        along = np.eye(len(self.back)) - self.back @ self.onto
+        if (abs(row @ along) > ROUNDING * (abs(row) @ abs(along))).any():
+            raise UndecidedError(f"{called} changes with a shift along which no force changes")
+        return [float(each) for each in row @ self.back]
+
+
 def orbit_data(orbit: Orbit, flow: Flow) -> dict[str, Any]:
     """Return modes and segments of an orbit.
 
@@ -82,46 +110,32 @@ def orbit_data(orbit: Orbit, flow: Flow) -> dict[str, Any]:
     stable = True if orbit.stable else None if orbit.neutral else False
     if orbit.advances and flow is not orbit.flow:
         raise UndecidedError("the orbit is one of another system, in another frame")
-    frame = flow.modes.system.layout.frame.velocities.tolist() if orbit.advances else []
     course = begun_amid(orbit.course)
-    motion = motion_data(course, flow, orbit.periods)
-    return {"motion": {**motion, "frame": frame}, "equations": equations_data(course, flow), "stable": stable}
+    motion, equations = motion_data(course, flow, orbit.periods), equations_data(course, flow)
+    if orbit.advances and flow.modes.system.layout.frame.velocities.any():
+        motion["about"] += EVENLY
+    told_once(motion, equations)
+    return {"motion": motion, "equations": equations, "stable": stable}
 
 
 def stated_motion(course: Course, flow: Flow) -> dict[str, Any]:
     """Return a motion from its initial state, with equations in which what forces states is a state too."""
-    system, seen, rows = (
-        flow.modes.system,
-        Seen(course.log, course.modes, flow.modes),
-        motion_rows(course, flow),
-    )
     if course.ending is not Ending.REACHED_END:
         raise UndecidedError("it ends early")
-    (segments, largest), count = _segments(course, seen, rows), system.layout.size - 1
-    segments[-1]["at"] = float(course.duration)
-    first = seen.mode(rows[0][1]).hold
-    resets = [each.tolist() for each in (first, *(_reset(seen, *row) for row in rows[1:]))]
-    distinct = list({repr(each): each for each in resets}.values())
+    system, rows = flow.modes.system, motion_rows(course, flow)
+    seen, count = Seen(course.log, course.modes, flow.modes), system.layout.size - 1
+    whole = Coordinates(np.eye(count + 1), np.eye(count + 1))
+    motion = {**_told(course, flow, rows, whole), "turning": [], "periods": 0.0, "clock": []}
+    motion["state"] = (seen.mode(rows[0][1]).hold @ course.log.state[rows[0][1]])[:count].tolist()
+    motion["segments"][-1]["at"] = float(course.duration)
+    if system.layout.travels and system.layout.frame.velocities.any():
+        motion["about"] += EVENLY
+    equations = _rates(seen, rows, whole, count)
+    told_once(motion, equations)
     return {
-        "motion": {
-            "about": flow.subject.title or type(flow.subject).__name__,
-            "segments": segments,
-            "sizes": np.where(largest > 0.0, largest, LEAST)[:count].tolist(),
-            "state": course.log.state[rows[0][1], :count].tolist(),
-            "rotation": [[0]],
-            "periods": 0.0,
-            "signs": [],
-            "shifts": [],
-            "frame": system.layout.frame.velocities.tolist() if system.layout.travels else [],
-            "clock": [],
-        },
-        "equations": {
-            "modes": _modes(seen, rows, count),
-            "resets": distinct,
-            "forcing": [1.0],
-            "period": None,
-        },
-        "jumps": [distinct.index(each) for each in resets],
+        "motion": motion,
+        "equations": {**equations, "forcing": [1.0], "period": None},
+        "stable": None,
     }
 
 
@@ -148,31 +162,32 @@ def begun_amid(course: Course) -> Course:
 def motion_data(course: Course, flow: Flow, periods: float) -> dict[str, Any]:
     """Return the segments of a motion of some periods of the drive, 0 without one."""
     system = flow.modes.system
-    layout, log = system.layout, course.log
-    seen = Seen(log, course.modes, flow.modes)
+    seen, n = Seen(course.log, course.modes, flow.modes), system.layout.state_count
     _require_covered(course, system)
-    segments, largest = _segments(course, seen, list(instants(seen)))
-    n = layout.state_count
     if system.clockwork is not None and course.begin.phase:
         raise UndecidedError("a sampled motion that begins amid a period is not covered")
+    coordinates = Coordinates.of(flow)
+    onto, states = coordinates.onto, len(coordinates.onto) - system.layout.size + n
+    motion = _told(course, flow, list(instants(seen)), coordinates)
+    sizes = np.array(motion["sizes"])[:n]
+    if flow.shifts:
+        motion["about"] += BUT_FOR_SHIFTS
+        within = course.states(np.linspace(0.0, course.duration, INSTANTS))[:, :n]
+        sizes = abs(within @ onto[:states, :n].T).max(axis=0)
+        sizes = np.maximum(sizes, LEAST * sizes.max())
+    motion.update(sizes=sizes.tolist(), state=(onto @ course.log.state[0])[:states].tolist())
+    turns = np.rint(seen.mode(0).flow[n:, n:] / (system.layout.omega or 1.0)).astype(int)
+    turning = [[int(i), int(k), int(turns[i, k])] for i, k in np.argwhere(np.triu(turns))]
     samplers = () if system.clockwork is None else system.clockwork.samplers
-    return {
-        "about": flow.subject.title or type(flow.subject).__name__,
-        "segments": segments,
-        "sizes": largest[:n].tolist(),
-        "state": log.state[0, :n].tolist(),
-        "rotation": np.rint(seen.mode(0).flow[n:, n:] / (layout.omega or 1.0)).astype(int).tolist(),
-        "periods": float(periods),
-        "signs": [],
-        "shifts": _shifts(layout) if flow.shifts else [],
-        "frame": [],
-        "clock": [[each.sample, each.delay] for each in samplers],
-    }
+    clock = [[each.sample, each.delay] for each in samplers]
+    return {**motion, "turning": turning, "periods": float(periods), "clock": clock}
 
 
-def _segments(course: Course, seen: Seen, rows: list[tuple[int, int]]) -> tuple[list[dict[str, Any]], Any]:
-    """Return the segments of a motion that begin with these rows of its log, and the sizes of Z."""
-    log, layout = course.log, seen.system.layout
+def _told(
+    course: Course, flow: Flow, rows: list[tuple[int, int]], coordinates: Coordinates
+) -> dict[str, Any]:
+    """Return the segments of a motion that begin with these rows of its log, and the sizes of Z but for 1."""
+    log, layout, seen = course.log, flow.modes.system.layout, Seen(course.log, course.modes, flow.modes)
     n = layout.state_count
     segments: list[dict[str, Any]] = []
     largest = abs(log.state).max(axis=0)
@@ -189,6 +204,7 @@ def _segments(course: Course, seen: Seen, rows: list[tuple[int, int]]) -> tuple[
         owners = _owners(seen, first, last) if place else {each.owner for each in mode.functions}
         segments.append(
             {
+                "reset": None,
                 "mode": used.index(int(log.mode[last])),
                 "duration": end - float(log.start[first]),
                 "fired": fired,
@@ -196,18 +212,18 @@ def _segments(course: Course, seen: Seen, rows: list[tuple[int, int]]) -> tuple[
                 if fired is None or following is None
                 else _together(mode, fired, course.before(following), largest),
                 "zeros": _zeros(mode, log.state[last], largest, owners),
-                **({"at": None, "strict": []} if following is None else _tick(seen, following)),
+                "at": None if following is None or fired is not None else float(log.start[following]),
+                "strict": []
+                if following is None
+                else [coordinates.functional(each) for each in _demands(seen, following)],
             }
         )
-    return segments, largest
-
-
-def _shifts(layout: Any) -> list[list[list[float]]]:
-    """Return directions along which nothing changes, each with what is to stay: its leader, (n,)."""
-    rest, leading = np.zeros(layout.state_count - len(layout.frame.directions)), layout.frame.leading
-    identity = np.eye(layout.state_count)
-    pairs = zip(layout.frame.directions.T, leading, strict=True)
-    return [[[*way, *rest], identity[leader].tolist()] for way, leader in pairs]
+    return {
+        "about": flow.subject.title or type(flow.subject).__name__,
+        "segments": segments,
+        "sizes": np.where(largest > 0.0, largest, LEAST)[:-1].tolist(),
+        "signs": [],
+    }
 
 
 def equations_data(course: Course, flow: Flow) -> dict[str, Any]:
@@ -215,28 +231,53 @@ def equations_data(course: Course, flow: Flow) -> dict[str, Any]:
     own, system = course.modes.system.layout, flow.modes.system
     _require_covered(course, system)
     seen = Seen(course.log, course.modes, flow.modes)
-    rows = list(instants(seen))
     scale = system.layout.period / own.period if own.period else 1.0
+    rows, n = list(instants(seen)), system.layout.state_count
+    coordinates = Coordinates.of(flow)
+    found = _rates(seen, rows, coordinates, n)
+    if len(rows) == 1:
+        # What is held holds by the equations then: what is off it comes to it.
+        off = coordinates.onto @ (np.eye(system.layout.size) - seen.mode(rows[0][1]).hold) @ coordinates.back
+        flow_of_all = np.array(found["modes"][0]["flow"])
+        decay = off[: len(flow_of_all)] * (DECAYED / course.duration)
+        found["modes"][0]["flow"] = (flow_of_all - decay).tolist()
     return {
-        "modes": _modes(seen, rows, system.layout.state_count),
-        "resets": [_reset(seen, first, last).tolist() for first, last in rows],
+        **found,
         "forcing": system.layout.forcing_at(course.begin.phase * scale).tolist(),
         "period": float(system.layout.period) if own.period else None,
     }
 
 
+def _rates(seen: Seen, rows: list[tuple[int, int]], coordinates: Coordinates, n: int) -> dict[str, Any]:
+    """Return the modes, n states each, and what becomes of Z at each instant but the first."""
+    onto, back = coordinates.onto, coordinates.back
+    states = len(onto) - len(back) + n
+    modes = [seen.system.mode(seen.known[number].statuses) for number in modes_used(seen.log, rows)]
+    return {
+        "modes": [
+            {
+                "flow": (onto @ mode.flow @ back)[:states].tolist(),
+                "functions": [coordinates.functional(each.row) for each in mode.functions],
+            }
+            for mode in modes
+        ],
+        "resets": [(onto @ _reset(seen, *row) @ back).tolist() for row in rows[1:]],
+    }
+
+
+def told_once(motion: dict[str, Any], *equations: dict[str, Any]) -> None:
+    """Let each reset stand once, by its number."""
+    named = [repr([each["resets"][k] for each in equations]) for k in range(len(motion["segments"]) - 1)]
+    distinct = list(dict.fromkeys(named))
+    for segment, name in zip(motion["segments"][1:], named, strict=True):
+        segment["reset"] = distinct.index(name)
+    for each in equations:
+        each["resets"] = [each["resets"][named.index(name)] for name in distinct]
+
+
 def modes_used(log: Any, rows: list[tuple[int, int]]) -> list[int]:
     """Return the numbers of the modes in which a motion is for some time."""
     return sorted({int(log.mode[last]) for _, last in rows})
-
-
-def _modes(seen: Seen, rows: list[tuple[int, int]], n: int) -> list[dict[str, Any]]:
-    numbers = modes_used(seen.log, rows)
-    modes = (seen.system.mode(seen.known[number].statuses) for number in numbers)
-    return [
-        {"flow": mode.flow[:n].tolist(), "functions": [each.row.tolist() for each in mode.functions]}
-        for mode in modes
-    ]
 
 
 def _require_covered(course: Course, system: System) -> None:
@@ -294,12 +335,10 @@ def _reset(seen: Seen, first: int, last: int) -> Any:
     return seen.mode(last).hold @ total
 
 
-def _tick(seen: Seen, row: int) -> dict[str, Any]:
-    """Return when a clock samples, and what is positive there: how far each demand is from its limits."""
-    if seen.fires(row) is not None:
-        return {"at": None, "strict": []}
-    if seen.breaks(row):
-        return {"at": float(seen.log.start[row]), "strict": []}
+def _demands(seen: Seen, row: int) -> list[Any]:
+    """Return what is positive where a clock samples: how far each demand is from its limits."""
+    if seen.fires(row) is not None or seen.breaks(row):
+        return []
     (clock, number), rows = seen.clock(row), []
     sampled = seen.code(row) >> len(clock.limit)
     for c in reversed(range(len(clock.limit))):
@@ -309,8 +348,8 @@ def _tick(seen: Seen, row: int) -> dict[str, Any]:
         if where < 0 or not np.isfinite(limit[-1]):
             continue
         signs = {WITHIN: ((1, -1), (1, 1)), ABOVE: ((-1, 1),), BELOW: ((-1, -1),)}[where]
-        rows += [(of_limit * limit + of_demand * demand).tolist() for of_limit, of_demand in signs]
-    return {"at": float(seen.log.start[row]), "strict": rows}
+        rows += [of_limit * limit + of_demand * demand for of_limit, of_demand in signs]
+    return rows
 
 
 def _together(mode: ModeEquations, fired: int, state: Any, largest: Any) -> list[int]:

@@ -1,61 +1,114 @@
-"""Whether a system that is linear between events moves so from a state, with these events and no other."""
+"""Whether a system that is linear between events moves so, with these events and no other.
+
+It is followed in balls (``following``), from a state, or from a ball of starts, of which Krawczyk's operator
+says that one returns (``returning``); all event functions are enclosed over each segment (``pieces``).
+"""
 
 from flint import arb, ctx
 
-from trimmer.proof.following import BallMotion
-from trimmer.proof.form import require_events, require_rest_at_start
-from trimmer.proof.orbit_check import taken_as_zero, unchecked
+from trimmer.proof.following import BY_LAW, PRECISION, RADIUS, BallMotion
+from trimmer.proof.form import require_events, require_form, require_shortest
 from trimmer.proof.outcome import RefutedError, UndecidedError
 from trimmer.proof.readings import bounds, readings
-from trimmer.proof.statement import StatedMotion
-
-TRIES = (192, 448, 1408)  # Bits; more where balls grow too far
+from trimmer.proof.returning import NEAR, multipliers_of, require_alone, solve
+from trimmer.proof.statement import Course, StatedMotion
 
 
 def check_motion(data: StatedMotion) -> str:
-    """Hold a motion against the equations of its modes; return the theorem."""
-    *fewer, most = TRIES
-    for bits in fewer:
-        try:
-            return _checked(data, bits)
-        except UndecidedError:
-            continue
-    return _checked(data, most)
-
-
-def _checked(data: StatedMotion, bits: int) -> str:
-    with ctx.workprec(bits):
-        motion = BallMotion(data.motion, data.whole)
-        require_events(motion)
-        segments = data.motion.segments
-        times = [each.at for each in segments if each.at is not None]
-        if segments[-1].at is None or times != sorted(times):
-            raise RefutedError("it does not end at a time, or times fall")
-        require_rest_at_start(motion, motion.start)
+    """Hold a motion from a state against the equations of its modes; return the theorem."""
+    course, equations = data.motion, data.equations
+    if equations.period is not None or equations.forcing != (1.0,) or course.signs or course.clock:
+        raise ValueError("a motion from a state has neither period, signs nor clock")
+    end = course.segments[-1].at
+    if end is None:
+        raise RefutedError("it does not end at a time")
+    require_events(course)
+    with ctx.workprec(PRECISION):
+        motion = BallMotion(course, equations)
         over = motion.follow([*motion.start, arb(0)])
-        told, passed = readings(motion, over, data.functionals, data.levels), arb(0)
-        instants: list[str] = []
+        told, passed, events = readings(motion, over, data.functionals, data.levels), arb(0), list[str]()
         for number, (segment, late) in enumerate(zip(motion.segments, over.lates, strict=True), 1):
             passed += segment.duration + late
-            if segment.fired is not None:
-                instants.append(f"event {number} {bounds(passed)} s")
-        return _theorem(motion, data, instants, told)
-
-
-def _theorem(motion: BallMotion, data: StatedMotion, instants: list[str], told: str) -> str:
-    course, end = motion.course, data.motion.segments[-1].at
-    known = len(course.segments) - 1 - len(instants)
+            if segment.told.fired is not None:
+                events.append(f"event {number} {bounds(passed)} s")
+    known = len(course.segments) - 1 - len(events)
     strict = sum(len(each.strict) for each in course.segments)
     changes = (
         f" At {known} times the states become what it says, where its {strict} inequalities hold."
         if known
         else ""
     )
-    moving = ", in a frame that moves evenly, as this file says unchecked," if any(course.frame) else ""
-    when = f" Counted with all else that happens, they come at: {'; '.join(instants)}." if instants else ""
+    when = f" Counted with all else that happens, they come at: {'; '.join(events)}." if events else ""
     return (
         f"The system that is linear between events, with the modes of this file {unchecked(course.about)} "
         "and what it says of modes and states after each event, its numbers taken as exact, moves from the "
-        f"state of this file{moving} for {end!r} s with the {len(instants)} events of this file in its "
-        f"order and no other.{when}{changes}{taken_as_zero(motion)}{told}"
+        f"state of this file for {end!r} s with the {len(events)} events of this file in its order and no "
+        f"other.{when}{changes}{taken_as_zero(course)}{told}"
+    )
+
+
+def check_orbit(data: StatedMotion) -> str:
+    """Hold a periodic motion against the equations of its modes; return the theorem."""
+    course, equations = data.motion, data.equations
+    if course.signs or not course.periods.is_integer():
+        raise ValueError("a part of a motion is no orbit")
+    with ctx.workprec(PRECISION):
+        motion = BallMotion(course, equations)
+        require_form(motion)
+        require_alone(motion)
+        found = solve(motion)
+        require_near(motion, found.unknown, NEAR)
+        told = readings(motion, found.over, data.functionals, data.levels)
+        require_shortest(motion, found.over)
+        stable, largest = multipliers_of(motion, found.over)
+        period = f"{float(motion.period.mid()):.12g}"
+    words = {True: "stable", False: "unstable", None: "of undecided stability"}
+    if data.stable is not None and stable != data.stable:
+        error = UndecidedError if stable is None else RefutedError
+        raise error(f"it is said to be {words[data.stable]}, and is {words[stable]}")
+    lasts = f"the period {int(course.periods)} times {equations.period!r} s"
+    across, beside = "", ""
+    if motion.autonomous:
+        lasts = f"a period within {NEAR:g}, relative, of {period} s"
+        across, beside = " on a plane across it", " but for the one of a shift in time"
+    ticks = sum(each.at is not None for each in course.segments)
+    demands = sum(len(each.strict) for each in course.segments)
+    sampled = (
+        f", {ticks} of them at instants of a clock where its {demands} inequalities hold," if ticks else ""
+    )
+    word = "neither said to be stable nor unstable" if stable is None else words[stable]
+    return (
+        f"The system that is linear between events, with the modes of this file {unchecked(course.about)} "
+        "and what it says of the states after each event, its numbers taken as exact, has a periodic motion "
+        f"with {lasts}, with the {len(course.segments) - 1} events of this file{sampled} in its order and no "
+        f"other, which begins within {NEAR:g} of the state of this file, as a share of the sizes of the "
+        f"states. In a ball of {2.0**RADIUS:.1g} of these sizes about it no other start{across} returns with "
+        f"these events.{taken_as_zero(course)}{told} It is {word}: the largest modulus of its "
+        f"multipliers{beside} is {largest}."
+    )
+
+
+def require_near(motion: BallMotion, unknown: list[arb], near: float) -> None:
+    """Hold what returns against what was computed."""
+    for i, given in enumerate(motion.start):
+        if not abs(unknown[i] - given) < near * motion.sizes[i]:
+            told = float((unknown[i] * motion.units[i]).mid())
+            raise RefutedError(f"the motion begins elsewhere: state {i} is {told!r}")
+    if motion.autonomous and not abs(unknown[motion.n]) < near * motion.period:
+        raise RefutedError(f"its period is longer by {float(unknown[motion.n].mid())!r} s")
+
+
+def unchecked(about: str) -> str:
+    """Say what a file calls its equations, which nothing depends on."""
+    return f"(of {about!r}, as it says unchecked)"
+
+
+def taken_as_zero(course: Course) -> str:
+    """Say which zeros the law of an event gives, if there are any."""
+    count = sum(len(each.zeros) + len(each.together) for each in course.segments)
+    if not count:
+        return ""
+    return (
+        f" At its events {count} times an event function is zero because the law of an event makes it so, as "
+        f"this file says: it is within {BY_LAW:g} of its terms and taken as zero."
     )

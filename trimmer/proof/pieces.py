@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from flint import arb, arb_mat, arb_poly
 
 from trimmer.proof.balls import hull
-from trimmer.proof.following import BY_LAW, BallMotion, Followed, Segment, moduli
+from trimmer.proof.following import BY_LAW, BallMotion, Followed, Segment, block, moduli
 from trimmer.proof.outcome import RefutedError, UndecidedError, require_time
 
 TERMS = 30  # Of Taylor's polynomials over a step
@@ -45,22 +45,22 @@ def pieces(motion: BallMotion, over: Followed, free: tuple[int, ...] = ()) -> It
     before = 0.0
     largest, begun = [arb(0)] * motion.n, arb(0)
     for number, segment in enumerate(motion.segments):
-        end, late, told = over.ends[number], over.lates[number], motion.course.segments[number]
+        end, late, told = over.ends[number], over.lates[number], segment.told
         _require_demands(segment, end, f"at the end of segment {number}")
         at_once = told.at == before and told.duration == 0  # A clock does two things at one time.
         before = math.nan if told.at is None else told.at
         if not at_once:
             if not segment.duration + late > 0:
                 raise RefutedError(f"segment {number} ends before it begins")
-            falling = () if segment.fired is None else (segment.fired, *_together(segment))
-            plain = _block(segment.step, len(motion.sizes))
+            falling = () if told.fired is None else (told.fired, *_together(motion, number))
+            plain = block(segment.step, motion.count)
             z, length = over.starts[number], segment.duration / segment.count
             for place in range(segment.count):
                 require_time()
                 last = place == segment.count - 1
                 piece = _piece(number, segment, begun, z, length + late if last else length)
                 left = (*free, *falling) if last else free
-                _require_positive(motion, piece, z, {} if place else segment.zeros, left)
+                _require_positive(motion, piece, z, {} if place else dict(told.zeros), left)
                 yield piece
                 largest = [each.max(abs(z[i, 0]).lower()) for i, each in enumerate(largest)]
                 z, begun = plain * z, begun + piece.duration
@@ -75,37 +75,41 @@ def pieces(motion: BallMotion, over: Followed, free: tuple[int, ...] = ()) -> It
             raise RefutedError(f"the size {sizes[i]!r} of state {i} is none that the motion reaches")
 
 
-def _block(table: arb_mat, size: int) -> arb_mat:
-    return table if table.nrows() == size else arb_mat([row[:size] for row in table.tolist()[:size]])
-
-
 def _piece(number: int, segment: Segment, begun: arb, z: arb_mat, duration: arb) -> Piece:
-    columns, (scales, rate) = [z], segment.balanced
+    columns, scales = [z], segment.scales
     for k in range(1, TERMS):
         columns.append(segment.flow * columns[-1] * (duration / k))
     largest = functools.reduce(arb.max, (abs(z[i, 0]) / each for i, each in enumerate(scales)))
-    reach = rate * abs(duration)
+    reach = segment.rate * abs(duration)
     off = (reach**TERMS / math.factorial(TERMS) * reach.exp() * largest).upper()
     terms = arb_mat([each.entries() for each in columns]).transpose()
     return Piece(number, begun, duration, terms, arb_mat([[each * off] for each in scales]))
 
 
-def _together(segment: Segment) -> tuple[int, ...]:
-    """Return the event functions that fall with the one that ends a segment, of which they are multiples."""
-    rows = (segment.functions * segment.reset).tolist()
-    ending = rows[segment.fired or 0]
-    for function in segment.together:
+def _together(motion: BallMotion, number: int) -> tuple[int, ...]:
+    """Return the event functions that fall with the one that ends a segment, of which they are multiples.
+
+    They are so for all Z at its end that what came before it lets it have.
+    """
+    segment, size = motion.segments[number], motion.count
+    reached = block(segment.propagator, size) * segment.reset
+    last = motion.segments[-1]
+    if not number and last.told.at is None:  # It goes on with the last segment, or its mirror image.
+        reached = reached * motion.mirror * block(last.propagator, size) * last.reset
+    rows = (segment.functions * reached).tolist()
+    ending = rows[segment.told.fired or 0]
+    for function in segment.told.together:
         row = rows[function]
         share = sum((a * b for a, b in zip(row, ending, strict=True)), arb(0))
         share /= sum((each * each for each in ending), arb(0))
         apart = max(float(abs(a - share * b).upper()) for a, b in zip(row, ending, strict=True))
         if not (share > 0 and apart < BY_LAW * max(float(abs(each).upper()) for each in row)):
             raise UndecidedError("two event functions come to zero at one instant")
-    return segment.together
+    return segment.told.together
 
 
 def _require_demands(segment: Segment, end: arb_mat, where: str) -> None:
-    for value in [] if segment.strict is None else (segment.strict * end).entries():
+    for value in (segment.strict * end).entries() if segment.told.strict else ():
         if value < 0:
             raise RefutedError(f"a demand is beyond its limit or not, other than said, {where}")
         if not value > 0:

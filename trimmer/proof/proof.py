@@ -12,9 +12,9 @@ from trimmer.files import read_content, write_atomically
 from trimmer.json_data import DataError, parsed_json, typed
 from trimmer.messages import shown_value
 from trimmer.proof.outcome import LIMIT, OutOfTimeError, UnprovenError, Verdict, time_limit
-from trimmer.proof.statement import LimitCycles, Orbit, OrbitReadings, StatedMotion, StatedSpecialPoint
+from trimmer.proof.statement import LimitCycles, StatedMotion, StatedSpecialPoint
 
-_FORMAT = 1
+_FORMAT = 2
 
 
 class ProofFileError(TrimmerError, ValueError):
@@ -26,8 +26,7 @@ class Proof:
     """What ball arithmetic says of a statement.
 
     Attributes:
-        statement: Its kind: ``limit cycles``, ``orbit``, ``readings of an orbit``, ``motion`` or
-            ``special point``.
+        statement: Its kind: ``limit cycles``, ``orbit``, ``motion`` or ``special point``.
         verdict: ``proven``, ``undecided`` or ``refuted``; it equals the word.
         theorem: What is proven, a sentence; empty if nothing is.
         reason: Why nothing is proven, or what is wrong, without a full stop; empty if it is proven.
@@ -142,8 +141,7 @@ def _digest(data: dict[str, Any]) -> str:
 
 _STATEMENTS = {
     "limit cycles": LimitCycles,
-    "orbit": Orbit,
-    "readings of an orbit": OrbitReadings,
+    "orbit": StatedMotion,
     "motion": StatedMotion,
     "special point": StatedSpecialPoint,
 }
@@ -152,8 +150,7 @@ _STATEMENTS = {
 def _checks() -> dict[str, Callable[[Any], str]]:
     try:
         from trimmer.proof.cycles import check_limit_cycles
-        from trimmer.proof.motion_check import check_motion
-        from trimmer.proof.orbit_check import check_orbit, check_readings
+        from trimmer.proof.motion_check import check_motion, check_orbit
         from trimmer.proof.special_check import check_special_point
     except ImportError as error:
         raise MissingPackageError(
@@ -162,7 +159,6 @@ def _checks() -> dict[str, Callable[[Any], str]]:
     return {
         "limit cycles": check_limit_cycles,
         "orbit": check_orbit,
-        "readings of an orbit": check_readings,
         "motion": check_motion,
         "special point": check_special_point,
     }

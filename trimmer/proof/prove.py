@@ -21,7 +21,7 @@ from trimmer.loops.loops import ClosedLoop
 from trimmer.loops.motion import LoopMotion
 from trimmer.mechanism import Mechanism
 from trimmer.motion.course import Course
-from trimmer.proof.modes import begun_amid, equations_data, motion_data, orbit_data, stated_motion
+from trimmer.proof.modes import begun_amid, equations_data, motion_data, orbit_data, stated_motion, told_once
 from trimmer.proof.outcome import LIMIT, UndecidedError, Verdict
 from trimmer.proof.proof import Proof, proof_of
 from trimmer.proof.read_of import functionals_data, read_of_motion
@@ -105,13 +105,13 @@ def prove_orbit(system: Subject, orbit: Orbit, limit: float = LIMIT, readings: S
             ``outputs.NAME``, of its rate beside the ground ``rates.NAME``, of an acceleration
             ``bodies.NAME``, of what is 1 in stick and else 0 ``frictions.NAME``, and of ``contacts.NAME``
             how fast its sides meet at each contact made. These functionals are taken for granted as the
-            equations are. Where the motion advances, ``outputs.NAME`` is in the frame that moves with it.
+            equations are. Of a motion that advances nothing is read that changes with a shift.
 
     Returns:
         Proven, with the largest modulus of its multipliers enclosed. Refuted, if the motion is elsewhere, has
         another sequence of events or another stability. Undecided, with the reason, where balls do not tell,
         as at a grazing, or where it is not covered: several impacts at one instant, a chatter that ends, two
-        drives. A motion that advances is proven in the frame that moves with it; samples come at the times of
+        drives. A motion that advances is proven relative to one body of it; samples come at the times of
         the file, each demand within its limit or beyond it as the file says.
 
     Raises:
@@ -122,12 +122,13 @@ def prove_orbit(system: Subject, orbit: Orbit, limit: float = LIMIT, readings: S
     require_instance("orbit", orbit, Orbit, "an orbit")
     flow = orbit.flow if orbit.subject is system else flow_of(system)
     try:
-        data = orbit_data(orbit, flow)
-        read = functionals_data(orbit, flow, readings)
+        data = {
+            **orbit_data(orbit, flow),
+            "functionals": functionals_data(orbit, flow, readings),
+            "levels": [],
+        }
     except UndecidedError as error:
         return Proof("orbit", Verdict.UNDECIDED, "", str(error), {})
-    if read:
-        return proof_of("readings of an orbit", {"orbit": data, "functionals": read}, limit)
     return proof_of("orbit", data, limit)
 
 
@@ -248,7 +249,8 @@ def _special_data(system: Subject, branch: FollowedBranch, special: SpecialPoint
     beside = []
     for factor in (1.0 - ASIDE, 1.0 + ASIDE):
         changed = system.with_value(place, value * factor)
-        equations = equations_data(course, flow_of(changed))
-        beside.append({"value": float(changed.value(place)), "equations": equations})
-    told = {"kind": kind.word, "place": place, "value": value}
-    return {**told, "motion": motion, "beside": sorted(beside, key=itemgetter("value"))}
+        beside.append((float(changed.value(place)), equations_data(course, flow_of(changed))))
+    beside.sort(key=itemgetter(0))
+    told_once(motion, *(equations for _, equations in beside))
+    told = {"kind": kind.word, "place": place, "value": value, "motion": motion}
+    return {**told, "beside": [{"value": at, "equations": equations} for at, equations in beside]}

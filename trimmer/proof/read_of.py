@@ -12,7 +12,7 @@ from trimmer.contact.modes.impulses import first_wall
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.signals import OwnValues, Readout, Signal, Steady, rate
-from trimmer.proof.modes import Seen, begun_amid, instants, modes_used, motion_rows
+from trimmer.proof.modes import Coordinates, Seen, begun_amid, instants, modes_used, motion_rows
 from trimmer.proof.outcome import UndecidedError
 from trimmer.response.periodic.orbit import Orbit
 
@@ -29,9 +29,12 @@ def functionals_data(orbit: Orbit, flow: Flow, names: Iterable[str]) -> list[dic
             acceleration, ``frictions.NAME`` for what is 1 while it sticks and else 0, ``contacts.NAME`` for
             how fast its sides meet, ``displacements.NAME`` and ``velocities.NAME`` of a body.
     """
-    course = begun_amid(orbit.course)
+    course, coordinates = begun_amid(orbit.course), Coordinates.of(flow)
     rows = list(instants(Seen(course.log, course.modes, flow.modes)))
-    return [_functional(course, flow, rows, name) for name in names]
+    found = [_functional(course, flow, rows, name) for name in names]
+    for each in found:
+        each["rows"] = [coordinates.functional(np.array(row), each["about"]) for row in each["rows"]]
+    return found
 
 
 def read_of_motion(course: Course, flow: Flow, names: Iterable[str]) -> dict[str, Any]:

@@ -13,11 +13,11 @@ from dataclasses import dataclass, replace
 
 from flint import arb, arb_mat, arb_poly
 
-from trimmer.proof.balls import about, between, exact, hull, real, roots_between
+from trimmer.proof.balls import about, between, hull, roots_between
 from trimmer.proof.following import BallMotion, Followed, moduli
 from trimmer.proof.outcome import UndecidedError, require_time
 from trimmer.proof.pieces import Piece, pieces
-from trimmer.proof.statement import Functional, Table
+from trimmer.proof.statement import Functional
 
 DIGITS = 15  # Of what is told
 FINE = 2.0**-56  # Share of the terms of a functional below which nothing is left to tell of an extreme
@@ -40,8 +40,8 @@ def readings(
         levels: Of these when they are zero.
         free: Event functions that may fall to zero.
     """
-    read = [Reading.of(motion, each, _rows(motion, each.rows)) for each in functionals]
-    rows = [_rows(motion, each.rows) for each in levels]
+    read = [Reading.of(motion, each, _by_mode(motion, each)) for each in functionals]
+    rows = [_by_mode(motion, each) for each in levels]
     zeros: list[list[arb]] = [[] for _ in levels]
     for piece in pieces(motion, over, free):
         read = [each.with_piece(motion, piece) for each in read]
@@ -146,15 +146,14 @@ class Reading:
         return f" Over this motion, of {bounds(self.passed)} s, {called}, is: {words}."
 
 
-def _rows(motion: BallMotion, rows: Table) -> list[arb_mat]:
-    """Return a functional of each mode in the units."""
-    pairs = (zip(row, motion.units, strict=True) for row in rows)
-    return [arb_mat([[real(exact(each)) * unit for each, unit in pair]]) for pair in pairs]
+def _by_mode(motion: BallMotion, functional: Functional) -> list[arb_mat]:
+    return [motion.rows((each,)) for each in functional.rows]
 
 
 def _along(motion: BallMotion, piece: Piece, rows: list[arb_mat]) -> tuple[Along, arb_poly, arb]:
     """Return a functional with its slope over a piece, and its polynomial with the error of that."""
-    flow, row = motion.segments[piece.number].flow, rows[motion.course.segments[piece.number].mode]
+    segment = motion.segments[piece.number]
+    flow, row = segment.flow, rows[segment.told.mode]
     (value, off), (slope, slope_off) = piece.of(row)[0], piece.of(row * flow * piece.duration)[0]
     return lambda share: (value(share) + about(off), slope(share) + about(slope_off)), value, off
 

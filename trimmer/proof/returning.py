@@ -12,10 +12,12 @@ from dataclasses import dataclass
 from flint import acb, acb_mat, arb, arb_mat
 
 from trimmer.proof.balls import about, between
-from trimmer.proof.following import RADIUS, BallMotion, Followed, identity
+from trimmer.proof.following import RADIUS, BallMotion, Followed, diagonal
 from trimmer.proof.outcome import UndecidedError
 
-MOST_ITERATIONS = 30
+MOST_ITERATIONS = 90
+NEAR = 1e-9
+"""Distance from the computed motion, as a share of the size of each state, within which it is that."""
 NOTHING = arb(1e-12)  # A modulus below this is told as between 0 and this: how wide balls are is no result
 
 
@@ -35,38 +37,28 @@ class Plane:
 
 @dataclass(frozen=True)
 class Returned:
-    """What returns."""
+    """What returns: from which ball of unknowns, in which no other does, and how."""
 
-    unknown: list[arb]  # Enclosed: start, what an unknown period is longer, and the number that is varied
-    ball: list[arb]  # Around it, in which no other returns
+    ball: list[arb]  # Of starts, of what an unknown period is longer, and of the number that is varied
+    unknown: list[arb]  # The same more narrowly
     over: Followed  # The motion from all of the ball
 
 
 def first_guess(motion: BallMotion) -> list[arb]:
     """Return the unknowns as computed."""
-    start = [arb(each.mid()) for each in motion.start]
-    return start + [arb(0)] * (motion.unknowns - motion.n)
+    return [*motion.start, *[arb(0)] * (motion.unknowns - motion.n)]
 
 
 def scales(motion: BallMotion) -> list[arb]:
     """Return the size of each unknown."""
-    found = list(motion.sizes[: motion.n])
-    if motion.autonomous:
-        found.append(motion.segments[-1].duration)
-    for along, _ in motion.shifts:
-        found.append(
-            max(
-                (size / abs(way) for size, way in zip(motion.sizes, along, strict=False) if way != 0),
-                key=float,
-            )
-        )
-    return [*found, arb(1)][: motion.unknowns]
+    period = [motion.segments[-1].duration] * motion.autonomous
+    return [*motion.sizes[: motion.n], *period, arb(1)][: motion.unknowns]
 
 
 def solve(
     motion: BallMotion, plane: Plane | None = None, guess: list[arb] | None = None, radius: int = RADIUS
 ) -> Returned:
-    """Find what returns, alone in a ball.
+    """Find what returns, alone in a ball, and enclose it there.
 
     Args:
         motion: The motion.
@@ -75,17 +67,32 @@ def solve(
         radius: Power of two of the radius of the ball, as a share of the sizes.
     """
     middle = newton(motion, plane, guess, radius)
-    radii = [each * arb(2) ** radius for each in scales(motion)]
-    ball = [m + about(r) for m, r in zip(middle, radii, strict=True)]
+    ball = [m + about(r * arb(2) ** radius) for m, r in zip(middle, scales(motion), strict=True)]
     over = motion.follow(ball, True)
+    image = _image(motion, plane, ball, over)
+    if not all(each.contains_interior(part) for each, part in zip(ball, image, strict=True)):
+        raise UndecidedError("Krawczyk's operator does not map the ball of starts into itself")
+    return Returned(ball, image, over)
+
+
+def narrowed(motion: BallMotion, plane: Plane, found: Returned) -> Returned:
+    """Enclose what of a ball returns more narrowly, on one of the planes for which it was found."""
+    for _ in range(3):
+        ball = _image(motion, plane, found.ball, found.over)
+        over = motion.follow(ball, True)
+        found = Returned(ball, ball, over)
+    return found
+
+
+def _image(motion: BallMotion, plane: Plane | None, ball: list[arb], over: Followed) -> list[arb]:
+    """Return the image of a ball by Krawczyk's operator, which holds all in it that return."""
+    middle = [arb(each.mid()) for each in ball]
     derivative = derivative_of(motion, over, plane)
     inverse = inverse_of(derivative)
-    image = _step(motion, motion.follow(middle), middle, plane, inverse)
-    reaches = arb_mat([[about(each)] for each in radii])
-    image = image + (identity(inverse.nrows()) - inverse * derivative) * reaches
-    if not all(reaches[i, 0].contains_interior(image[i, 0]) for i in range(inverse.nrows())):
-        raise UndecidedError("Krawczyk's operator does not map the ball of starts into itself")
-    return Returned([each + image[i, 0] for i, each in enumerate(middle)], ball, over)
+    step = _step(motion, motion.follow(middle), middle, plane, inverse)
+    reaches = arb_mat([[each - m] for each, m in zip(ball, middle, strict=True)])
+    image = step + (diagonal([1] * len(ball)) - inverse * derivative) * reaches
+    return [m + image[i, 0] for i, m in enumerate(middle)]
 
 
 def newton(
@@ -106,27 +113,25 @@ def newton(
     return middle
 
 
-def first_step(motion: BallMotion) -> list[arb]:
-    """Return Newton's step from what was computed."""
-    guess = first_guess(motion)
-    followed = motion.follow(guess, True)
-    step = _step(motion, followed, guess, None, inverse_of(derivative_of(motion, followed)))
-    return [arb(each) for each in step.entries()]
+def require_alone(motion: BallMotion) -> None:
+    """Tell a family: what stays where it is put, although Newton's step from there is long."""
+    guess, sizes = first_guess(motion), scales(motion)
+    over = motion.follow(guess, True)
+    gaps = zip(over.back, guess, sizes, strict=False)
+    if all(abs(end - begin) < NEAR * size for end, begin, size in gaps):
+        step = _step(motion, over, guess, None, inverse_of(derivative_of(motion, over))).entries()
+        if any(abs(each) > NEAR * size for each, size in zip(step, sizes, strict=True)):
+            raise UndecidedError("1 is a multiplier, to the digits of the motion: it may be one of a family")
 
 
 def derivative_of(motion: BallMotion, followed: Followed, plane: Plane | None = None) -> arb_mat:
     """Return the derivative of what is to vanish."""
     table = [[each - int(i == k) for k, each in enumerate(row)] for i, row in enumerate(followed.change)]
-    rest = [arb(0)] * (motion.unknowns - motion.n)
-    table += [[*row, *rest] for row in _fixed(motion)]
+    if motion.autonomous:
+        table.append([*motion.phase, *[arb(0)] * (motion.unknowns - motion.n)])
     if plane is not None:
         table.append(plane.weights)
     return arb_mat(table)
-
-
-def _fixed(motion: BallMotion) -> list[list[arb]]:
-    """Return functionals of the start that stay as they are, since it may be shifted in time or in place."""
-    return [*([motion.phase] if motion.autonomous else []), *(leader for _, leader in motion.shifts)]
 
 
 def _step(
@@ -134,8 +139,8 @@ def _step(
 ) -> arb_mat:
     """Return Newton's step."""
     gaps = [m - back for m, back in zip(middle, followed.back, strict=False)]
-    for row in _fixed(motion):
-        away = (p * (s - m) for p, s, m in zip(row, motion.start, middle, strict=False))
+    if motion.autonomous:
+        away = (p * (s - m) for p, s, m in zip(motion.phase, motion.start, middle, strict=False))
         gaps.append(sum(away, arb(0)))
     if plane is not None:
         gaps.append(plane.distance(middle))
@@ -159,13 +164,11 @@ def in_sizes(motion: BallMotion, over: Followed) -> arb_mat:
 def multipliers_of(motion: BallMotion, over: Followed) -> tuple[bool | None, str]:
     """Enclose the largest modulus of the multipliers; return whether it is stable, and that in words."""
     sizes, n, scaled = motion.sizes, motion.n, in_sizes(motion, over)
-    fixed = _fixed(motion)
-    if fixed:
-        # Without the shifts in time and place: along them, back to where what is fixed is that of the start.
+    if motion.autonomous:
+        # Without the shift in time: along the rates, back to where what is fixed is that of the start.
         rates = (motion.segments[-1].flow * over.ends[-1]).entries()
-        ways = [*([rates] if motion.autonomous else []), *(along for along, _ in motion.shifts)]
-        along = arb_mat([[way[i] / sizes[i] for way in ways] for i in range(n)])
-        kept = arb_mat([[row[i] * sizes[i] for i in range(n)] for row in fixed])
+        along = arb_mat([[rates[i] / sizes[i]] for i in range(n)])
+        kept = arb_mat([[motion.phase[i] * sizes[i] for i in range(n)]])
         scaled = scaled - along * (kept * along).inv() * (kept * scaled)
     lower, upper = _largest_modulus(scaled)
     stable = True if upper < 1 else False if lower > 1 else None

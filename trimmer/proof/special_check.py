@@ -15,10 +15,10 @@ from dataclasses import dataclass
 
 from flint import acb_mat, arb, arb_mat, ctx
 
-from trimmer.proof.balls import about, exact, real
-from trimmer.proof.following import BallMotion, Followed, identity
-from trimmer.proof.form import require_form, require_rest_at_start, require_shortest
-from trimmer.proof.orbit_check import require_near, taken_as_zero, unchecked
+from trimmer.proof.balls import about
+from trimmer.proof.following import PRECISION, RADIUS, BallMotion, Followed, diagonal
+from trimmer.proof.form import require_form, require_shortest
+from trimmer.proof.motion_check import require_near, taken_as_zero, unchecked
 from trimmer.proof.outcome import RefutedError, UndecidedError
 from trimmer.proof.readings import readings, smallest
 from trimmer.proof.returning import (
@@ -27,15 +27,14 @@ from trimmer.proof.returning import (
     derivative_of,
     first_guess,
     in_sizes,
+    narrowed,
     newton,
     scales,
     solve,
 )
 from trimmer.proof.statement import StatedSpecialPoint
 
-PRECISION = 768  # Bits
-HALF = -200  # Power of two of half the length of the piece, as a share of the sizes
-NARROW = -280  # That of the balls at its ends, in which the signs are told
+HALF = RADIUS - 50  # Power of two of half the length of the piece, as a share of the sizes
 TOUCH, WIDE = -32, -20  # For a grazing: half the length, in the number, and the balls of all motions on it
 MOST_SECANTS = 25
 WITHIN = 1e-6  # Distance from the value as it was computed, as a share of it: six digits
@@ -83,13 +82,10 @@ class Branch:
             height = following
         raise UndecidedError("no place where a sign changes was found near the point")
 
-    def sign(self, guess: list[arb], height: arb, piece: Returned) -> int:
+    def sign(self, height: arb, piece: Returned) -> int:
         """Return the sign of the test at a height, on the piece."""
         plane = self.at(height)
-        narrow = solve(self.motion, plane, guess, NARROW)
-        value = self.test(self.motion, narrow.over, plane)
-        if not all(each.contains(end) for each, end in zip(piece.ball, narrow.unknown, strict=True)):
-            raise UndecidedError("an end of the piece is elsewhere")
+        value = self.test(self.motion, narrowed(self.motion, plane, piece).over, plane)
         if value.contains(0):
             raise UndecidedError("the sign of a determinant is not told")
         return 1 if value > 0 else -1
@@ -109,18 +105,17 @@ def _checked(motion: BallMotion, data: StatedSpecialPoint) -> str:
     require_near(motion, piece.unknown, BESIDE)
     if data.kind == "torus":
         _circling(motion, piece.over, branch.plane)
-    value = real(exact(data.value)) + piece.unknown[-1] * motion.unit
-    if not abs(value / real(exact(data.value)) - 1) < WITHIN:
+    value = arb(data.value) + piece.unknown[-1] * motion.unit
+    if not abs(value / arb(data.value) - 1) < WITHIN:
         raise RefutedError(f"the {data.kind} nearest to it is at {float(value.mid())!r}")
     whole = motion.at(piece.unknown[-1])
-    require_rest_at_start(whole, piece.unknown)
     readings(whole, piece.over, ())
     if not data.motion.signs:
         require_shortest(whole, piece.over)
-    if branch.sign(guess, height - half, piece) == branch.sign(guess, height + half, piece):
+    if branch.sign(height - half, piece) == branch.sign(height + half, piece):
         raise UndecidedError("nothing changes its sign")
     told = f"{float(value.mid()):.10g}"
-    if not abs(value / real(exact(float(told))) - 1) < TOLD:
+    if not abs(value / arb(float(told)) - 1) < TOLD:
         raise UndecidedError("the value is enclosed too widely")
     return _theorem(motion, data, told)
 
@@ -132,18 +127,17 @@ def _grazing(motion: BallMotion, data: StatedSpecialPoint) -> str:
     if len(motion.segments) > 1 or not functions:
         raise UndecidedError("a grazing of motions that have events besides is not covered")
     branch, half = Branch(motion, _plane(motion, False), _crossing), arb(2) ** TOUCH
-    near = solve(motion, branch.at(arb(0)), radius=NARROW)
+    whole = solve(motion, branch.at(about(half)), radius=WIDE)
+    before, near, after = (narrowed(motion, branch.at(height), whole) for height in (-half, arb(0), half))
     require_near(motion, near.unknown, BESIDE)
     heights = [abs(smallest(motion, near.over, k, functions)) for k in functions]
     touching = [k for k, height in enumerate(heights) if height < BESIDE]
     if len(touching) != 1:
         raise UndecidedError("it is not one event function alone that comes to zero")
-    whole = solve(motion, branch.at(about(half)), radius=WIDE)
     around = motion.at(whole.unknown[-1])
-    require_rest_at_start(around, whole.unknown)
     readings(around, whole.over, (), free=tuple(touching))
     require_shortest(around, whole.over)
-    ends = [solve(motion, branch.at(height), radius=NARROW) for height in (-half, half)]
+    ends = before, after
     first, last = (smallest(motion.at(e.unknown[-1]), e.over, touching[0], functions) for e in ends)
     if not ((first < 0 and last > 0) or (last < 0 and first > 0)):
         raise UndecidedError("the smallest value of an event function does not change its sign")
@@ -179,7 +173,7 @@ def _turning(motion: BallMotion, over: Followed, plane: Plane) -> arb:
 
 def _crossing(motion: BallMotion, over: Followed, plane: Plane) -> arb:
     """Return det(D + 1): of half of a motion that is its mirror image, D squared is that of the whole."""
-    return (in_sizes(motion, over) + identity(motion.n)).det()
+    return (in_sizes(motion, over) + diagonal([1] * motion.n)).det()
 
 
 def _circling(motion: BallMotion, over: Followed, plane: Plane) -> arb:
@@ -224,6 +218,6 @@ def _theorem(motion: BallMotion, data: StatedSpecialPoint, told: str, touching: 
         f"{second!r} {unchecked(data.motion.about)}, and so with what it says of the states after each "
         f"event, all numbers taken as exact, have one smooth curve of {motions} with the "
         f"{len(motion.segments) - 1} events of this file in its order and no other{aside}, within {BESIDE:g} "
-        f"of its state as a share of the sizes of the states.{taken_as_zero(motion)} On this curve, "
+        f"of its state as a share of the sizes of the states.{taken_as_zero(data.motion)} On this curve, "
         f"{happens}: a {kind} within {TOLD:g}, relative, of v = {told}."
     )

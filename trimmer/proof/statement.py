@@ -4,7 +4,7 @@ States come first, then what forces them; together they are Z. ``typed`` of ``js
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 Row = tuple[float, ...]
 Table = tuple[Row, ...]
@@ -79,7 +79,7 @@ class Rates:
 
 @dataclass(frozen=True)
 class Equations:
-    """The numbers of a system: modes, what becomes of Z before each segment, the forcing at the start, s."""
+    """The numbers of a system: modes, what becomes of Z at instants, the forcing at the start, s."""
 
     modes: tuple[Rates, ...]
     resets: tuple[Table, ...]
@@ -91,6 +91,7 @@ class Equations:
 class Segment:
     """A piece of a motion: its mode and duration, and the event function or clock that ends it."""
 
+    reset: int | None  # The number of what becomes of Z before it; None if Z goes on as it is
     mode: int  # Its number
     duration: float  # As computed, s
     fired: int | None  # What ends it; None for the last one
@@ -103,46 +104,46 @@ class Segment:
 
 @dataclass(frozen=True)
 class Course:
-    """A motion that returns."""
+    """A motion: one that returns, or one from a state."""
 
     about: str  # What the equations are said to be of; nothing depends on it
     segments: tuple[Segment, ...]  # Its pieces
     sizes: Row  # Of each state
     state: Row  # At the start
-    # Rates of what forces the states, as multiples of 2 pi over the period of the drive
-    rotation: tuple[tuple[int, ...], ...]
+    # Two places of what forces the states that turn together, and how often over the period of the drive
+    turning: tuple[tuple[int, int, int], ...]
     periods: float  # How many of them it lasts; 0 without a drive
     signs: tuple[int, ...]  # Of the states, if the end is to be the mirror image of the start; else empty
-    # Directions along which nothing changes, each with a functional that is to stay
-    shifts: tuple[tuple[Row, Row], ...]
-    frame: Row  # Velocities of the frame, as they are said to be
     clock: tuple[tuple[float, float], ...]  # Sample and delay of each controller that samples, s
 
     def require_fits(self, equations: Equations) -> None:
-        """Hold shapes, numbers of modes and of event functions against equations."""
+        """Hold shapes, and numbers of modes, resets and event functions, against equations."""
         n, forced = len(self.state), len(equations.forcing)
-        size = n + forced
+        size, turned = n + forced, [place for *pair, _ in self.turning for place in pair]
         _require(n == len(self.sizes) and min(self.sizes) > 0, "sizes are not positive, one for each state")
-        _require(_is(self.rotation, forced, forced), "rotation does not fit the forcing")
+        alone = len(set(turned)) == len(turned) and set(turned) <= set(range(forced))
+        _require(alone, "what forces the states does not turn by pairs")
+        _require(not self.signs or set(self.signs) <= {1, -1}, "signs are other than 1 and -1")
         _require(len(self.signs) in (0, n), "signs do not fit the states")
-        _require(all(_is(each, 2, n) for each in self.shifts), "shifts do not fit the states")
         _require(all(sample > 0 <= delay for sample, delay in self.clock), "a sample or delay is negative")
         if equations.period is None:
-            _require(not (self.periods or any(map(any, self.rotation))), "nothing turns without a drive")
+            _require(not (self.periods or self.turning), "nothing turns without a drive")
         else:
             _require(equations.period > 0 < self.periods, "a period is not positive")
         for mode in equations.modes:
             _require(_is(mode.flow, n, size) and _is(mode.functions, None, size), "a mode does not fit")
-        _require(len(equations.resets) == len(self.segments) > 0, "there is not one reset for each segment")
         _require(all(_is(each, size, size) for each in equations.resets), "a reset does not fit")
+        _require(bool(self.segments), "there is no segment")
+        _require(self.segments[0].reset is None, "the states jump where the motion begins, without an event")
         for each in self.segments:
             _require(0 <= each.mode < len(equations.modes), f"there is no mode {each.mode}")
+            _require(each.reset is None or 0 <= each.reset < len(equations.resets), "there is no such reset")
             _require(_is(each.strict, None, size), "what is positive at a sample does not fit")
             _require(all(1 <= count <= MOST_ZEROS for _, count in each.zeros), "a count of zeros is none")
             ended = each.fired is not None or not each.together
             _require(ended, "an event function is named where none ends a segment")
-            named = [function for function, _ in each.zeros], [*_some(each.fired), *each.together]
-            for functions in named:
+            fired = [] if each.fired is None else [each.fired]
+            for functions in ([function for function, _ in each.zeros], [*fired, *each.together]):
                 known = range(len(equations.modes[each.mode].functions))
                 _require(all(k in known for k in functions), "there is no such event function")
                 _require(len(set(functions)) == len(functions), "an event function is named twice")
@@ -152,77 +153,31 @@ MOST_ZEROS = 3  # Derivatives of an event function that may vanish at an event
 
 
 @dataclass(frozen=True)
-class Orbit:
-    """That a system has a periodic motion; ``stable`` is as computed, None if that is not told."""
-
-    motion: Course
-    equations: Equations
-    stable: bool | None
-
-    def __post_init__(self) -> None:
-        self.motion.require_fits(self.equations)
-        whole = self.motion.periods.is_integer() and not self.motion.signs
-        _require(whole, "a part of a motion is no orbit")
-
-
-@dataclass(frozen=True)
 class Functional:
     """Something that is read of a motion: what it is said to be, which nothing depends on, and what it is."""
 
     about: str  # What it is said to be
     rows: Table  # By Z, in each mode
-    before: tuple[int, ...]  # Segments before whose last event it is told
-
-
-@dataclass(frozen=True)
-class OrbitReadings:
-    """That a system has a periodic motion, over which functionals are told."""
-
-    orbit: Orbit
-    functionals: tuple[Functional, ...]
-
-    def __post_init__(self) -> None:
-        events = len(self.orbit.motion.segments) - 1
-        _require_reads(self.functionals, self.orbit.motion, self.orbit.equations, events)
-
-
-def _require_reads(
-    functionals: tuple[Functional, ...], course: Course, equations: Equations, ends: int
-) -> None:
-    size = len(course.state) + len(equations.forcing)
-    for each in functionals:
-        _require(_is(each.rows, len(equations.modes), size), "a functional does not fit the modes")
-        known = all(0 <= k < ends for k in each.before)
-        _require(known, "a functional is told before an event that is none")
+    before: tuple[int, ...]  # Segments at whose end it is told
 
 
 @dataclass(frozen=True)
 class StatedMotion:
-    """That a system moves so from a state: events, and what is read of it.
+    """That a system moves so: periodically, or from a state, with what is read of it."""
 
-    What forces the states are states too, but for a one.
-    """
-
-    motion: Course  # It; its last segment ends at a time
-    equations: Equations  # Each reset once
-    jumps: tuple[int, ...]  # Which of the resets stands before each segment
-    functionals: tuple[Functional, ...]  # What is read; before the last segment ends is at the end
+    motion: Course
+    equations: Equations
+    stable: bool | None  # As computed, of one that repeats; None if that is not told
+    functionals: tuple[Functional, ...]  # What is read
     levels: tuple[Functional, ...]  # Functionals whose zeros are told
 
     def __post_init__(self) -> None:
-        course, count = self.motion, len(self.motion.segments)
-        known = all(0 <= k < len(self.equations.resets) for k in self.jumps)
-        _require(known and len(self.jumps) == count > 0, "there is not one reset for each segment")
-        course.require_fits(self.whole)
-        free = self.equations.period is None and self.equations.forcing == (1.0,)
-        free = free and not (course.signs or course.shifts or course.clock)
-        _require(free, "a motion from a state has neither period, signs, shifts nor clock")
-        _require_reads((*self.functionals, *self.levels), course, self.equations, count)
-
-    @property
-    def whole(self) -> Equations:
-        """The equations with a reset for each segment."""
-        return replace(self.equations, resets=tuple(self.equations.resets[k] for k in self.jumps))
+        self.motion.require_fits(self.equations)
+        size = len(self.motion.state) + len(self.equations.forcing)
+        for each in (*self.functionals, *self.levels):
+            _require(_is(each.rows, len(self.equations.modes), size), "a functional does not fit the modes")
+            known = all(0 <= k < len(self.motion.segments) for k in each.before)
+            _require(known, "a functional is told before an event that is none")
 
 
 @dataclass(frozen=True)
@@ -247,14 +202,18 @@ class StatedSpecialPoint:
         first, second = (each.equations for each in self.beside)
         for each in (first, second):
             self.motion.require_fits(each)
-        same = len(first.modes) == len(second.modes) and len(first.forcing) == len(second.forcing)
-        same = same and (first.period is None) == (second.period is None)
-        pairs = zip(first.modes, second.modes, strict=False)
-        same = same and all(len(one.functions) == len(other.functions) for one, other in pairs)
-        _require(same, "the equations of two values are not of one form")
+        forms = [
+            (
+                [len(mode.functions) for mode in each.modes],
+                len(each.resets),
+                len(each.forcing),
+                each.period is None,
+            )
+            for each in (first, second)
+        ]
+        _require(forms[0] == forms[1], "the equations of two values are not of one form")
         _require(self.value != 0 and self.beside[0].value < self.beside[1].value, "the values are none")
-        covered = not (self.motion.shifts or self.motion.clock or any(self.motion.frame))
-        _require(covered, "special points of sampled motions, or of those that advance, are not covered")
+        _require(not self.motion.clock, "special points of sampled motions are not covered")
         half = 0.5 if self.motion.signs else 0.0
         _require((self.motion.periods - half).is_integer(), "half of a motion has signs, and no other has")
 
@@ -262,10 +221,6 @@ class StatedSpecialPoint:
 def _is(table: Sequence[Sequence[float]], rows: int | None, columns: int) -> bool:
     """Return whether a table has a shape; None stands for any number of rows."""
     return rows in (None, len(table)) and all(len(row) == columns for row in table)
-
-
-def _some(number: int | None) -> list[int]:
-    return [] if number is None else [number]
 
 
 def _require(holds: bool, otherwise: str) -> None:

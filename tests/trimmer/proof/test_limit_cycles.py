@@ -177,7 +177,7 @@ def test_a_file_is_verified_in_another_process(proof: Proof, tmp_path: Path) -> 
         (("data", "element", 0, "kind"), "magic", "the kind 'magic'"),
         (("data", "plant"), {}, "its data are not those of a proof"),
         (("data",), 3, "data is missing, or of another type"),
-        (("trimmer proof",), 2, 'begins with "trimmer proof": 1'),
+        (("trimmer proof",), 1, 'begins with "trimmer proof": 2'),
     ],
 )
 def test_a_file_that_was_made_false_is_refused(proof, tmp_path, capsys, place, value, told) -> None:

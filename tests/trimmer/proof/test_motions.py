@@ -104,7 +104,6 @@ def later(data: dict[str, Any]) -> None:
 
 def without_an_impact(data: dict[str, Any]) -> None:
     data["motion"]["segments"] = data["motion"]["segments"][1:]
-    data["jumps"] = data["jumps"][1:]
     data["functionals"] = []
 
 
@@ -117,7 +116,7 @@ def with_a_drive(data: dict[str, Any]) -> None:
 
 
 def of_an_unknown_reset(data: dict[str, Any]) -> None:
-    data["jumps"][1] = 7
+    data["motion"]["segments"][1]["reset"] = 7
 
 
 def read_behind_its_end(data: dict[str, Any]) -> None:
@@ -139,7 +138,7 @@ def back_in_time(data: dict[str, Any]) -> None:
         (without_an_impact, "the states jump where the motion begins"),
         (from_elsewhere, "an event is too far"),
         (with_a_drive, "has neither period"),
-        (of_an_unknown_reset, "not one reset for each segment"),
+        (of_an_unknown_reset, "there is no such reset"),
         (read_behind_its_end, "before an event that is none"),
         (nearer, "an event is too far"),
         (back_in_time, "too far"),
