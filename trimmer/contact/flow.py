@@ -27,8 +27,7 @@ from trimmer.contact.readouts.readouts import (
 )
 from trimmer.contact.sampled import SampledControllers
 from trimmer.contact.stability import NEGLIGIBLE, damping, is_bounded, is_mirror_symmetric
-from trimmer.contact.start import instant_at, set_free
-from trimmer.contact.start_within_walls import require_within_walls
+from trimmer.contact.start import instant_at, require_within_walls, set_free
 from trimmer.contact.state.frame import Frame, frame_of
 from trimmer.contact.state.references import settled_references
 from trimmer.hybrid.affine_modes import Change, is_straight
