@@ -34,9 +34,7 @@ def newton_step() -> tuple[sympy.Expr, sympy.Expr]:
         Δℓ and Δω by real and imaginary parts of F, F_ℓ and F_ω.
     """
     parts = {symbol: _split(symbol) for symbol in (RESIDUAL, BY_ANGLE, BY_OMEGA)}
-    equation = sympy.expand(
-        parts[RESIDUAL] + parts[BY_ANGLE] * CHANGES[0] + parts[BY_OMEGA] * CHANGES[1], complex=True
-    )
+    equation = parts[RESIDUAL] + parts[BY_ANGLE] * CHANGES[0] + parts[BY_OMEGA] * CHANGES[1]
     solution = sympy.solve((sympy.re(equation), sympy.im(equation)), CHANGES)
     return solution[CHANGES[0]], solution[CHANGES[1]]
 

@@ -118,9 +118,6 @@ def proportional_range(response: InverseResponse, coefficient: complex) -> tuple
     return float(lowest * response.reference), float(highest * response.reference), proven
 
 
-_QUARTERS = (1.0 + 0.0j, 1.0j, -1.0 + 0.0j, -1.0j)
-
-
 def _directions(response: InverseResponse, coefficient: complex) -> tuple[complex, complex]:
     """Directions of f for omega to 0 and to infinity.
 
@@ -139,8 +136,8 @@ def _directions(response: InverseResponse, coefficient: complex) -> tuple[comple
         high = _unit(gain)
         low = high * complex(np.prod(turns))
     return (
-        low * _QUARTERS[response.order_at_zero % 4] * towards_c,
-        high * _QUARTERS[response.relative_degree % 4] * towards_c,
+        low * 1j ** (response.order_at_zero % 4) * towards_c,
+        high * 1j ** (response.relative_degree % 4) * towards_c,
     )
 
 

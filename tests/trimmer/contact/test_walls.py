@@ -319,6 +319,9 @@ def test_a_branch_ends_at_the_grazing_of_a_wall(begin, end, beside, sides):
     assert (last_one.kind.word, last_one.parts) == ("grazing", tuple(walls)[:sides])
     assert min(abs(last_one.value / expected - 1)) < 1e-10
     assert "touched there without speed" in branch.message
+    # The state there is that of the linear motion, whose amplitude is the gap.
+    position, velocity = last_one.state
+    assert np.hypot(position, velocity / (2 * np.pi * last_one.value)) == pytest.approx(1.8, rel=1e-8)
 
 
 def with_walls(seed: int) -> Mechanism:
