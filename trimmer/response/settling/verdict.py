@@ -25,7 +25,7 @@ MOST_WINDOWS = 4  # By how much the window grows at most while the kind of the m
 ERRORS = 3.0  # Standard errors by which an exponent has to differ from zero
 RESOLVED = 0.05  # Largest modulus of an exponent per drive period, errors included, that is taken for zero
 ORDERLY = 0.2  # Largest result of the 0-1 test of a motion on a torus
-STEADY = 0.1  # Share by which the swing of a motion on a torus may differ between the halves of the window
+STEADY = 0.1  # Share by which each half of the window may fall short of the swing of a motion on a torus
 NEIGHBOUR = 1e-9  # Distance of the motion that is followed beside the first one, as a share of the sizes
 LEAVES = 1e3  # Growth of that distance at which the neighbour has left
 SEED = 2  # Of the direction in which that neighbour lies
@@ -127,10 +127,10 @@ class Seen:
 
     @property
     def steady(self) -> bool:
-        """Whether the states swing as much in the second half of the window as in the first."""
+        """Whether the states swing in each half of the window as in all of it, and do not drift."""
         states = self.window.states
-        first, second = (np.ptp(half, axis=0) for half in np.array_split(states, 2))
-        return bool((abs(first - second) <= STEADY * np.maximum(first, second)).all())
+        halves = np.min([np.ptp(half, axis=0) for half in np.array_split(states, 2)], axis=0)
+        return bool((halves >= (1 - STEADY) * np.ptp(states, axis=0)).all())
 
     @property
     def orderly(self) -> bool:

@@ -78,7 +78,8 @@ class Watched:
         for place, name in enumerate(self.flow.outputs):
             mean = self.means[:, place].mean()
             square = mean_of(self.squares[:, place] - 2 * mean * self.means[:, place] + mean**2)
-            root = float(np.sqrt(max(square.value, 0.0)))
+            # At most half of peak to peak: of what stands far from zero the difference is rounding.
+            root = min(float(np.sqrt(max(square.value, 0.0))), 0.5 * self.peak_to_peak[name])
             found[name] = Estimate(root, square.uncertainty / (2 * root) if root else 0.0)
         return found
 
