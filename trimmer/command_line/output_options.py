@@ -7,9 +7,12 @@ from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from trimmer.command_line.file_options import add_overwrite_option, file_to_write
+from trimmer.command_line.parser import tell
 from trimmer.files import write_atomically
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from matplotlib.figure import Figure
 
 
@@ -44,6 +47,15 @@ def add_output_options(parser: ArgumentParser, what: str) -> None:
 def add_file_option(parser: ArgumentParser, name: str, meaning: str) -> None:
     """Add an option that names a file to write."""
     parser.add_argument(name, type=file_to_write, metavar="FILE", help=meaning)
+
+
+def wanted_picture(arguments: Namespace, missing: str) -> Path | None:
+    """Return the file that ``--plot`` names; None without one, or if what is missing, in words, is told."""
+    target: Path | None = arguments.plot
+    if target is None or not missing:
+        return target
+    tell(f"{target} was not written, because {missing}")
+    return None
 
 
 def write_picture(arguments: Namespace, figure: Figure) -> None:

@@ -1,10 +1,7 @@
 """``trimmer orbits``: exact limit cycles of a trimmer, beside the predictions of harmonic balance."""
 
-from __future__ import annotations
-
 import warnings
 from argparse import ArgumentParser, Namespace
-from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, check_targets, show
@@ -14,14 +11,9 @@ from trimmer.command_line.loops.loop_options import (
     closed_loop,
     unusable,
 )
-from trimmer.command_line.output_options import add_output_options, write_picture
+from trimmer.command_line.output_options import add_output_options, wanted_picture, write_picture
 from trimmer.command_line.parser import INTERRUPTED, tell
 from trimmer.command_line.patience import patience
-
-if TYPE_CHECKING:
-    from pathlib import Path
-
-    from trimmer.orbits.search import PeriodicOrbits
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -57,26 +49,16 @@ def _run(arguments: Namespace) -> int:
             orbits, interrupted = interrupt.orbits, True
         except ValueError as error:
             raise unusable(arguments, error) from error
-    picture = _draw(arguments, orbits)
+    picture = wanted_picture(arguments, "" if orbits else "no orbit was found")
+    if picture is not None:
+        from trimmer.drawing.content import figure_of
+
+        write_picture(arguments, figure_of(orbits.plot))
     text = (as_json if arguments.json else as_text)(loop.element, predictions, orbits)
     show(text, picture)
     if interrupted:
         tell("interrupted; what was found until then is printed")
     return INTERRUPTED if interrupted else 0
-
-
-def _draw(arguments: Namespace, orbits: PeriodicOrbits) -> Path | None:
-    """Draw the picture that is wanted, and return its file; None if there is none."""
-    target: Path | None = arguments.plot
-    if target is None:
-        return None
-    if not orbits:
-        tell(f"{target} was not written, because no orbit was found")
-        return None
-    from trimmer.drawing.content import figure_of
-
-    write_picture(arguments, figure_of(orbits.plot))
-    return target
 
 
 COMMAND = Command(

@@ -8,15 +8,14 @@ from typing import TYPE_CHECKING
 from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.mechanisms.map_options import (
-    Targets,
     add_interval_options,
     add_measure_option,
     chosen_interval,
     chosen_measures,
 )
 from trimmer.command_line.number_options import add_count
-from trimmer.command_line.output_options import add_output_options, write_picture
-from trimmer.command_line.parser import OptionError, exit_code, refuse_unused, tell
+from trimmer.command_line.output_options import add_output_options, wanted_picture, write_picture
+from trimmer.command_line.parser import OptionError, exit_code, refuse_unused
 from trimmer.command_line.patience import patience
 from trimmer.command_line.system_options import SOURCES, add_system_options, chosen_system
 
@@ -76,9 +75,14 @@ def _run(arguments: Namespace) -> int:
     measures = chosen_measures(system, arguments.measure)
     with patience():
         branch = _branch(arguments, system)
-    _draw(arguments, branch, measures)
+    picture = wanted_picture(arguments, "" if branch.points else "there is no motion on the branch")
+    if picture is not None:
+        from trimmer.drawing.mechanisms.branch import branch_figure
+
+        measure, target = next(iter(measures.items()), (None, None))
+        write_picture(arguments, branch_figure(branch, measure, target))
     text = (as_json if arguments.json else as_text)(branch, arguments.harmonics, tuple(measures))
-    show(text, arguments.plot)
+    show(text, picture)
     return exit_code(branch.success, branch.message)
 
 
@@ -94,16 +98,6 @@ def _branch(arguments: Namespace, system: Mechanism | TrimmerLoop) -> FollowedBr
         return follow(system, *interval, periods=arguments.periods, settings=settings)
     except ValueError as error:
         raise OptionError(str(error)) from error
-
-
-def _draw(arguments: Namespace, branch: FollowedBranch, measures: Targets) -> None:
-    if arguments.plot is not None and not branch.points:
-        tell(f"{arguments.plot} was not written, because there is no motion on the branch")
-    elif arguments.plot is not None:
-        from trimmer.drawing.mechanisms.branch import branch_figure
-
-        measure, target = next(iter(measures.items()), (None, None))
-        write_picture(arguments, branch_figure(branch, measure, target))
 
 
 COMMAND = Command(

@@ -1,16 +1,13 @@
 """``trimmer respond``: what a mechanism or a loop settles to."""
 
-from __future__ import annotations
-
 from argparse import ArgumentParser, Namespace
-from typing import TYPE_CHECKING
 
 from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.mechanism_options import add_seed_option
 from trimmer.command_line.number_options import add_count
-from trimmer.command_line.output_options import add_output_options, write_picture
-from trimmer.command_line.parser import refuse_unused, tell
+from trimmer.command_line.output_options import add_output_options, wanted_picture, write_picture
+from trimmer.command_line.parser import refuse_unused
 from trimmer.command_line.patience import patience
 from trimmer.command_line.system_options import (
     SOURCES,
@@ -19,11 +16,6 @@ from trimmer.command_line.system_options import (
     chosen_start,
     chosen_system,
 )
-
-if TYPE_CHECKING:
-    from pathlib import Path
-
-    from trimmer.response.results.response import Response
 
 
 def _configure(parser: ArgumentParser) -> None:
@@ -54,24 +46,15 @@ def _run(arguments: Namespace) -> int:
         response = respond(
             system, state=state, starts=arguments.starts, most_periods=arguments.periods, seed=arguments.seed
         )
-    picture = _draw(arguments, response)
+    motion = response.motion
+    drawn = any(each is not None for each in (motion.orbit, motion.window, motion.rest, motion.linear))
+    picture = wanted_picture(arguments, "" if drawn else "nothing was found that could be drawn")
+    if picture is not None:
+        from trimmer.drawing.mechanisms.response import response_figure
+
+        write_picture(arguments, response_figure(response))
     show(as_json(response) if arguments.json else as_text(response), picture)
     return 0
-
-
-def _draw(arguments: Namespace, response: Response) -> Path | None:
-    """Draw the picture that is wanted, and return its file; None if there is none."""
-    target: Path | None = arguments.plot
-    if target is None:
-        return None
-    motion = response.motion
-    if all(each is None for each in (motion.orbit, motion.window, motion.rest, motion.linear)):
-        tell(f"{target} was not written, because nothing was found that could be drawn")
-        return None
-    from trimmer.drawing.mechanisms.response import response_figure
-
-    write_picture(arguments, response_figure(response))
-    return target
 
 
 COMMAND = Command(
