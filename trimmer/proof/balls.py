@@ -1,9 +1,9 @@
 """Exact numbers and balls: every real number below is exact or an interval that encloses it."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
-from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_mat, fmpq_poly
+from flint import acb, acb_poly, arb, arb_mat, ctx, fmpq, fmpq_mat, fmpq_poly
 
 from trimmer.proof.outcome import UndecidedError, require_time
 from trimmer.proof.statement import Coefficients, Matrices
@@ -29,6 +29,27 @@ def hull(lower: float | arb, upper: float | arb) -> arb:
 def about(radius: float | arb) -> arb:
     """Return the ball from -radius to radius."""
     return hull(-arb(radius), arb(radius))
+
+
+def krawczyk(around: Sequence[arb], lacking: Sequence[arb], derivative: arb_mat) -> list[arb]:
+    """Return the image of a ball by Krawczyk's operator: all zeros of a function in the ball are in it.
+
+    Where it lies inside the ball there is exactly one.
+
+    Args:
+        around: The ball, one for each unknown.
+        lacking: What the function lacks of zero in the middle of the ball.
+        derivative: Of the function, over the ball.
+
+    Raises:
+        ZeroDivisionError: if the middle of the derivative has no inverse.
+    """
+    middle = [arb(each.mid()) for each in around]
+    inverse = derivative.mid().inv().mid()
+    one = arb_mat([[arb(int(i == k)) for k in range(len(middle))] for i in range(len(middle))])
+    reaches = arb_mat([[each - m] for each, m in zip(around, middle, strict=True)])
+    image = inverse * arb_mat([[each] for each in lacking]) + (one - inverse * derivative) * reaches
+    return [m + each for m, each in zip(middle, image.entries(), strict=True)]
 
 
 def between(lower: arb, upper: arb, digits: int = 12) -> str:

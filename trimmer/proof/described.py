@@ -118,20 +118,12 @@ def ideal_play(flight: arb) -> tuple[acb, acb]:
     return gain, acb(-2 * sine * sine / PI, -2 * sine * cosine / PI)
 
 
-@dataclass(frozen=True)
-class Carried:
-    """A play whose load goes on by itself: gap u and N, with their derivatives by flight and gamma."""
-
-    ratio: arb
-    ratio_by_flight: arb
-    ratio_by_gamma: arb
-    gain: acb
-    gain_by_flight: acb
-    gain_by_gamma: acb
+Play = tuple[arb, arb, arb, acb, acb, acb]
+"""Gap u and its derivatives by flight and gamma; N and the same."""
 
 
-def carried_play(t: arb, gamma: arb) -> Carried:
-    """Enclose the motion behind a play; gamma may reach down to 0."""
+def carried_play(t: arb, gamma: arb) -> Play:
+    """Enclose a play whose load goes on by itself; gamma may reach down to 0."""
     sine, cosine = t.sin_cos()
     ends = gamma.lower().max(arb(0)), gamma.upper()
     square = (1 + ends[0] ** 2).union(1 + ends[1] ** 2)
@@ -147,7 +139,7 @@ def carried_play(t: arb, gamma: arb) -> Carried:
     by_gamma -= root * t * decay
     gain_by_gamma = (2 * I / PI) * (acb(s, c) * s) ** 2 * twice
     gain_by_gamma -= (2 * I / PI) * (2 * c * s**3 * (1 - decay * turned) - t * s * s * decay * turned)
-    return Carried(
+    return (
         c * gamma * (1 - decay) - c * sine + s * (1 - cosine),
         velocity,
         by_gamma,
@@ -166,10 +158,10 @@ def _decay(t: arb, gamma: arb) -> arb:
     return ends[0].union(ends[1]).union(ends[2]).union(ends[3])
 
 
-def thrown_play(t: arb) -> tuple[arb, arb, acb, acb]:
-    """Enclose gap u, its derivative by the flight, N and its derivative, with an infinite time constant."""
+def thrown_play(t: arb) -> Play:
+    """Enclose the same with an infinite time constant."""
     sine, cosine = t.sin_cos()
     turned = acb(cosine, -sine)
     gain = 1 - t / PI - (1 - turned * turned) / (2 * I * PI) - (2 * I / PI) * (1 - turned)
     velocity = 1 - cosine
-    return t - sine, velocity, gain, (2 / PI) * turned * velocity
+    return t - sine, velocity, arb(0), gain, (2 / PI) * turned * velocity, acb(0)

@@ -15,6 +15,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any, NamedTuple
 
 from flint import arb, arb_mat, ctx
 
@@ -96,29 +97,19 @@ class Followed:
     change: list[list[arb]]  # Their derivative by what is unknown, n rows
 
 
-@dataclass(frozen=True)
-class Tables:
+class Tables(NamedTuple):
     """The numbers of the equations, in the units, or by how much they change with a number."""
 
     flows: list[arb_mat]  # M of each mode, without what turns
     functions: list[arb_mat]  # Event functions of each mode
     resets: list[arb_mat]  # What may become of Z
-    forcing: arb_mat  # What forces the states at the start
-    period: arb  # How long all takes, s; 0 if that is unknown
+    forcing: list[arb]  # What forces the states at the start
+    period: list[arb]  # How long all takes, s; 0 if that is unknown
 
     def combined(self, share: arb, other: Tables) -> Tables:
         """Return the sum of these and a share of others."""
-
-        def each(own: list[arb_mat], others: list[arb_mat]) -> list[arb_mat]:
-            return [one + two * share for one, two in zip(own, others, strict=True)]
-
-        return Tables(
-            each(self.flows, other.flows),
-            each(self.functions, other.functions),
-            each(self.resets, other.resets),
-            self.forcing + other.forcing * share,
-            self.period + other.period * share,
-        )
+        pairs: Any = zip(self, other, strict=True)
+        return Tables(*([a + b * share for a, b in zip(one, two, strict=True)] for one, two in pairs))
 
 
 class BallMotion:
@@ -199,8 +190,8 @@ class BallMotion:
             [inverse * self.rows((*mode.flow, *still)) for mode in given.modes],
             [self.rows(mode.functions) for mode in given.modes],
             [inverse * self.rows(each) for each in given.resets],
-            _upright([arb(each) for each in given.forcing]),
-            period,
+            [arb(each) for each in given.forcing],
+            [period],
         )
 
     def _segments(self, tables: Tables) -> list[Segment]:
@@ -210,14 +201,14 @@ class BallMotion:
             i, k = self.n + first, self.n + second
             turning[i, k], turning[k, i] = arb(order), arb(-order)
         if not self.autonomous:
-            turning = turning * (2 * arb.pi() * arb(self.course.periods) / tables.period)
+            turning = turning * (2 * arb.pi() * arb(self.course.periods) / tables.period[0])
         for each in self.course.segments:
             mode, reset = each.mode, same if each.reset is None else tables.resets[each.reset]
             three = tables.flows[mode] + turning, tables.functions[mode], reset
             scales = _balanced(three[0], self.sizes, self.n)
             lifted = three
             if by is not None:
-                faster = turning * (-by.period / tables.period) if not self.autonomous else turning
+                faster = turning * (-by.period[0] / tables.period[0]) if not self.autonomous else turning
                 jump = same * 0 if each.reset is None else by.resets[each.reset]
                 zero = same * 0
                 lifted = (
@@ -251,7 +242,7 @@ class BallMotion:
             starts.append(_column(columns, unknowns, size))
             columns = segment.propagator * columns
             if segment.told.fired is None:
-                known = self.period + unknown[n] if self.autonomous else self.tables.period
+                known = self.period + unknown[n] if self.autonomous else self.tables.period[0]
                 at = segment.told.at
                 late = (known if at is None else arb(at)) - elapsed - total
                 columns = _moved(segment, columns, late)
@@ -274,7 +265,7 @@ class BallMotion:
     def _first(self, unknown: list[arb], unknowns: int) -> tuple[arb_mat, arb_mat]:
         """Return derivatives of Z by what is unknown with Z behind them, and of how much later it is."""
         n, size, by = self.n, self.count, self.slopes
-        z = [*unknown[:n], *self.tables.forcing.entries()]
+        z = [*unknown[:n], *self.tables.forcing]
         table = [[arb(int(i == k < n)) for k in range(unknowns)] + [z[i]] for i in range(size)]
         later = [arb(0)] * unknowns
         if unknowns and self.autonomous:
@@ -282,16 +273,16 @@ class BallMotion:
         if by is not None:
             table += [[arb(0)] * (unknowns + 1) for _ in range(size)]
             if unknowns:
-                later[-1] = -by.period
+                later[-1] = -by.period[0]
                 for i in range(size):
-                    table[i][-2] = arb(0) if i < n else by.forcing[i - n, 0]
+                    table[i][-2] = arb(0) if i < n else by.forcing[i - n]
                     table[size + i][-2] = z[i]
         return arb_mat(table), arb_mat([later]) if unknowns else arb_mat(1, 0)
 
     @cached_property
     def phase(self) -> list[arb]:
         """A functional of the start that is to stay as it is: along the rates there, in sizes."""
-        rates = self.segments[0].flow * _upright([*self.start, *self.tables.forcing.entries()])
+        rates = self.segments[0].flow * _upright([*self.start, *self.tables.forcing])
         return [arb((rates[i, 0] / self.sizes[i] ** 2).mid()) for i in range(self.n)]
 
 

@@ -85,7 +85,7 @@ def _size(value: arb) -> float:
 def _require_clock(course: Course, motion: BallMotion) -> None:
     """Hold the times at which a clock ends segments against its samples and delays."""
     told = [each.at for each in course.segments if each.at is not None]
-    whole = 0.0 if motion.autonomous else float(motion.tables.period)
+    whole = 0.0 if motion.autonomous else float(motion.tables.period[0])
     slack = TOGETHER * min((sample for sample, _ in course.clock), default=0.0)
     due = sorted(
         each % whole if each > whole - slack else each

@@ -15,9 +15,9 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from flint import acb, acb_poly, arb, fmpq, fmpq_poly
+from flint import acb, acb_poly, arb, arb_mat, fmpq, fmpq_poly
 
-from trimmer.proof.balls import PI, about, along_axis, exact, hull, in_balls, real
+from trimmer.proof.balls import PI, about, along_axis, exact, hull, in_balls, krawczyk, real
 from trimmer.proof.described import Parts, carried_play, corner, ideal_play, thrown_play
 from trimmer.proof.outcome import UndecidedError, require_time
 
@@ -67,11 +67,12 @@ class ElementGain:
         zero = acb(0)
         if self.moving:
             weight, gap, lag, frozen = self.moving[0]
-            u, by_t, by_omega, first = _moving(t, omega, lag, frozen)
-            scale = 1 / real(gap)
-            u, by_t, by_omega = u * scale, by_t * scale, by_omega * scale
-            factor = real(weight)
-            value, slope, other = first[0] * factor, first[1] * factor, first[2] * factor
+            rate = arb(0) if lag is None or frozen is not None else real(lag)
+            gamma = rate * omega if lag is None or frozen is None else real(lag * frozen)
+            play = thrown_play(t) if lag is None else carried_play(t, gamma)
+            u, by_t, by_omega = (each / real(gap) for each in play[:3])
+            value, slope, other = (each * real(weight) for each in play[3:])
+            by_omega, other = by_omega * rate, other * rate
         else:
             scale = 1 / (2 * real(self.limit))
             u, by_t, by_omega = (1 - t.cos()) * scale, t.sin() * scale, arb(0)
@@ -150,19 +151,6 @@ class ElementGain:
         return root, -real(x * x) * u * by_t / root
 
 
-def _moving(
-    t: arb, omega: arb, lag: fmpq | None, frozen: fmpq | None
-) -> tuple[arb, arb, arb, tuple[acb, acb, acb]]:
-    """Return gap u and its derivatives by t and omega, and N with the same."""
-    if lag is None:
-        ratio, slope, gain, by_flight = thrown_play(t)
-        return ratio, slope, arb(0), (gain, by_flight, acb(0))
-    rate = arb(0) if frozen is not None else real(lag)
-    motion = carried_play(t, real(lag * frozen) if frozen is not None else real(lag) * omega)
-    gains = (motion.gain, motion.gain_by_flight, motion.gain_by_gamma * rate)
-    return motion.ratio, motion.ratio_by_flight, motion.ratio_by_gamma * rate, gains
-
-
 @dataclass(frozen=True)
 class Box:
     """Flights and omegas between ends that are doubles."""
@@ -196,13 +184,18 @@ class Plane:
         self.num, self.den, self.element = num, den, ElementGain(parts)
         self.sides = in_balls(along_axis(num)), in_balls(along_axis(den))
         self.order = max(den.degree(), num.degree())
-        self.found: list[tuple[Box, Solved]] = []
+        self.found: list[tuple[Solved, Solved]] = []  # Balls of exactly one solution each, and it
         self.examined = 0
 
     def solutions(self, omegas: tuple[float, float] | None) -> Iterator[tuple[arb, arb]]:
         """Enclose amplitude and omega of all solutions, at all frequencies or in a range."""
-        lowest, highest = omegas or (self._quiet_below(), self._quiet_above())
-        self._search(Box((0.0, LAST), (lowest, highest)), self._solve)
+        left = self._search(Box((0.0, LAST), omegas or self._all_omegas()), self._solve, SMALLEST)
+        if left is not None:
+            u = float(self.element.at(*left.balls).inverse.mid())
+            raise UndecidedError(
+                f"the curves of N and -1/G touch, coincide or end near {left.omega[1]:.9g} rad/s and "
+                f"amplitude {1 / u if u else math.inf:.6g}, as near as balls tell"
+            )
         for _, (t, omega) in self.found:
             if t < 0 or t > PI:
                 continue
@@ -210,7 +203,8 @@ class Plane:
                 raise UndecidedError("a solution stands at the smallest or an infinite amplitude")
             yield 1 / self.element.at(t, omega).inverse, omega
 
-    def _search(self, start: Box, settled: Callable[[Box], bool | None]) -> None:
+    def _search(self, start: Box, settled: Callable[[Box], bool | None], smallest: float) -> Box | None:
+        """Divide a box until all its parts are settled; return one that is too small for that."""
         waiting = [start]
         while waiting:
             require_time()
@@ -219,124 +213,92 @@ class Plane:
             answer = settled(box)
             if answer is None:
                 continue
-            width = box.t[1] - box.t[0]
-            if width < SMALLEST or self.examined > MOST_BOXES:
-                u = float(self.element.at(*box.balls).inverse.mid())
-                raise UndecidedError(
-                    f"the curves of N and -1/G touch, coincide or end near {box.omega[1]:.9g} rad/s and "
-                    f"amplitude {1 / u if u else math.inf:.6g}, as near as balls tell"
-                )
+            if box.t[1] - box.t[0] < smallest or self.examined > MOST_BOXES:
+                return box
             waiting += box.halves(answer)
+        return None
 
-    def _slopes(self, box: Box) -> tuple[acb, acb, acb, arb, arb]:
-        """Enclose F in the middle, its derivatives over the box, and the box about its middle."""
-        t, omega = box.balls
-        middles = 0.5 * (box.t[0] + box.t[1]), 0.5 * (box.omega[0] + box.omega[1])
-        reach = [ball - arb(middle) for ball, middle in zip((t, omega), middles, strict=True)]
-        shift = acb_poly([acb(arb(middles[1])), 1])
-        num, den = (each(shift) for each in self.sides)
-        here, around = self.element.at(*(arb(each) for each in middles)), self.element.at(t, omega)
+    def _slopes(self, t: arb, omega: arb) -> tuple[acb, acb, acb, arb, arb]:
+        """Enclose F in the middle of a box, its derivatives over it, and the box about its middle."""
+        middles = arb(t.mid()), arb(omega.mid())
+        reach = t - middles[0], omega - middles[1]
+        num, den = (each(acb_poly([acb(middles[1]), 1])) for each in self.sides)
+        here, around = self.element.at(*middles), self.element.at(t, omega)
         step = acb(reach[1])
         over = num(step)
         by_omega = den.derivative()(step) + around.value * num.derivative()(step) + around.by_omega * over
         middle = den(acb(0)) + here.value * num(acb(0))
-        return middle, around.by_flight * over, by_omega, reach[0], reach[1]
+        return middle, around.by_flight * over, by_omega, *reach
 
     def _solve(self, box: Box) -> bool | None:
         """Settle a box (None), or say whether to divide its flights."""
-        middle, by_t, by_omega, t, omega = self._slopes(box)
-        if _is_apart(middle, by_t, by_omega, t, omega):
+        t, omega = box.balls
+        slopes = self._slopes(t, omega)
+        if _is_apart(*slopes):
             return None
-        wide = [0.5 * (each[1] - each[0]) for each in (box.t, box.omega)]
-        larger = Box(
-            (box.t[0] - wide[0], box.t[1] + wide[0]),
-            (max(box.omega[0] - wide[1], 0.5 * box.omega[0]), box.omega[1] + wide[1]),
-        )
+        lower = (omega.lower() - omega.rad()).max(omega.lower() / 2)
+        larger = t + about(t.rad()), hull(lower, omega.upper() + omega.rad())
         enclosed = self._krawczyk(larger)
         if enclosed is not None:
-            if not any(_is_inside(enclosed, other) for other, _ in self.found):
+            if not any(_holds(other, enclosed) for other, _ in self.found):
                 self.found.append((larger, enclosed))
             return None
         if box.omega[1] > 4.0 * box.omega[0]:
             return False
-        sizes = [float(abs(slope).upper() * each.rad()) for slope, each in ((by_t, t), (by_omega, omega))]
-        return not sizes[0] < sizes[1]
+        by_t, by_omega = (
+            float(abs(slope).upper() * each.rad())
+            for slope, each in zip(slopes[1:3], (t, omega), strict=True)
+        )
+        return not by_t < by_omega
 
-    def _krawczyk(self, box: Box) -> Solved | None:
+    def _krawczyk(self, around: Solved) -> Solved | None:
         """Enclose the solution in a box if it has exactly one."""
-        image = self._image(box)
-        ends_of = (box.t, box.omega)
-        if image is None or not all(
-            each > arb(ends[0]) and each < arb(ends[1]) for each, ends in zip(image, ends_of, strict=True)
-        ):
+        image = self._image(around)
+        if image is None or not _holds(around, image):
             return None
         for _ in range(6):
-            ends = [(float(each.lower()), float(each.upper())) for each in image]
-            ends = [(math.nextafter(a, -math.inf), math.nextafter(b, math.inf)) for a, b in ends]
-            following = self._image(Box(*ends))
+            following = self._image(image)
             if following is None:
                 break
-            both = [each.intersection(other) for each, other in zip(image, following, strict=True)]
-            if not both[0].rad() < 0.9 * image[0].rad() and not both[1].rad() < 0.9 * image[1].rad():
-                break
-            image = (both[0], both[1])
+            image = image[0].intersection(following[0]), image[1].intersection(following[1])
         return image
 
-    def _image(self, box: Box) -> Solved | None:
-        middle, by_t, by_omega, t, omega = self._slopes(box)
-        a, b = complex(by_t.mid()), complex(by_omega.mid())
-        size = max(abs(a), abs(b))
-        if not (math.isfinite(size) and size):
+    def _image(self, around: Solved) -> Solved | None:
+        middle, by_t, by_omega, *_ = self._slopes(*around)
+        derivative = arb_mat([[by_t.real, by_omega.real], [by_t.imag, by_omega.imag]])
+        try:
+            t, omega = krawczyk(around, [-middle.real, -middle.imag], derivative)
+        except ZeroDivisionError:
             return None
-        # The inverse of the middle of the derivative, in doubles: any will do.
-        determinant = a.real * b.imag - b.real * a.imag
-        if not determinant:
-            return None
-        rows = ((b.imag / determinant, -b.real / determinant), (-a.imag / determinant, a.real / determinant))
-        centers = 0.5 * (box.t[0] + box.t[1]), 0.5 * (box.omega[0] + box.omega[1])
-        image = []
-        for place, (first, second) in enumerate(rows):
-            step = first * middle.real + second * middle.imag
-            of_t = (1 if place == 0 else 0) - (first * by_t.real + second * by_t.imag)
-            of_omega = (1 if place == 1 else 0) - (first * by_omega.real + second * by_omega.imag)
-            image.append(arb(centers[place]) - step + of_t * t + of_omega * omega)
-        return image[0], image[1]
+        return t, omega
 
-    def _quiet_below(self) -> float:
-        """Return an omega below which there is no solution."""
-        omega = 0.25 * _root_bound([self.num, self.den])
+    def _all_omegas(self) -> tuple[float, float]:
+        """Return an omega below and one above which there is no solution."""
+        lowest = 0.25 * _root_bound([self.num, self.den])
+        highest = 4.0 / _root_bound([_backwards(self.num), _backwards(self.den)])
+        return self._edge(lowest, 1 / 16, self._is_quiet_below, "frequency 0"), self._edge(
+            highest, 16.0, self._is_quiet_above, "infinite frequency"
+        )
+
+    def _edge(self, omega: float, factor: float, is_quiet: Callable[[float], bool], where: str) -> float:
+        for _ in range(12):
+            if is_quiet(omega):
+                return omega
+            omega *= factor
+        raise UndecidedError(f"nothing excludes solutions towards {where}")
+
+    def _is_quiet_below(self, omega: float) -> bool:
         in_corner = self.den[0] == 0 and self.element.vanishes
         first = CORNER if in_corner and self.element.parts.relays else 0.0
         last = LAST - CORNER if in_corner and self.element.still else LAST
-        for _ in range(12):
-            parted = not in_corner or self.element.is_parted_from(self.num, self.den, omega)
-            if parted and self._is_quiet(Box((first, last), (0.0, omega)), self._low_strip):
-                return omega
-            omega /= 16.0
-        raise UndecidedError("nothing excludes solutions towards frequency 0")
+        parted = not in_corner or self.element.is_parted_from(self.num, self.den, omega)
+        return parted and self._search(Box((first, last), (0.0, omega)), self._low_strip, 1e-3) is None
 
-    def _quiet_above(self) -> float:
-        """Return an omega above which there is no solution."""
-        omega = 4.0 / _root_bound([_backwards(self.num), _backwards(self.den)])
-        for _ in range(12):
-            if self._is_quiet(Box((0.0, LAST), (0.0, 1.0 / omega)), self._high_strip):
-                return omega
-            omega *= 16.0
-        raise UndecidedError("nothing excludes solutions towards infinite frequency")
-
-    def _is_quiet(self, start: Box, settled: Callable[[Box], bool | None]) -> bool:
-        waiting = [start]
-        while waiting:
-            require_time()
-            box = waiting.pop()
-            if settled(box) is not None:
-                if box.t[1] - box.t[0] < 1e-3:
-                    return False
-                waiting += box.halves(True)
-        return True
+    def _is_quiet_above(self, omega: float) -> bool:
+        return self._search(Box((0.0, LAST), (0.0, 1.0 / omega)), self._high_strip, 1e-3) is None
 
     def _low_strip(self, box: Box) -> bool | None:
-        return None if _is_apart(*self._slopes(box)) else True
+        return None if _is_apart(*self._slopes(*box.balls)) else True
 
     def _high_strip(self, box: Box) -> bool | None:
         """Take omega**-n F as a function of 1/omega."""
@@ -366,9 +328,8 @@ def _is_apart(middle: acb, by_t: acb, by_omega: acb, t: arb, omega: arb) -> bool
     return bool((along * middle).real + (along * by_t).real * t + (along * by_omega).real * omega > 0)
 
 
-def _is_inside(enclosed: Solved, box: Box) -> bool:
-    t, omega = box.balls
-    return bool(t.contains(enclosed[0]) and omega.contains(enclosed[1]))
+def _holds(around: Solved, enclosed: Solved) -> bool:
+    return all(ball.contains_interior(each) for ball, each in zip(around, enclosed, strict=True))
 
 
 def _backwards(polynomial: fmpq_poly) -> fmpq_poly:

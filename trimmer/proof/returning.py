@@ -11,11 +11,12 @@ from dataclasses import dataclass
 
 from flint import acb, acb_mat, arb, arb_mat
 
-from trimmer.proof.balls import about, between
-from trimmer.proof.following import RADIUS, BallMotion, Followed, diagonal
+from trimmer.proof.balls import about, between, krawczyk
+from trimmer.proof.following import RADIUS, BallMotion, Followed
 from trimmer.proof.outcome import UndecidedError
 
 MOST_ITERATIONS = 90
+ALIKE = "1 is a multiplier, as near as balls tell"
 NEAR = 1e-9
 """Distance from the computed motion, as a share of the size of each state, within which it is that."""
 NOTHING = arb(1e-12)  # A modulus below this is told as between 0 and this: how wide balls are is no result
@@ -87,12 +88,12 @@ def narrowed(motion: BallMotion, plane: Plane, found: Returned) -> Returned:
 def _image(motion: BallMotion, plane: Plane | None, ball: list[arb], over: Followed) -> list[arb]:
     """Return the image of a ball by Krawczyk's operator, which holds all in it that return."""
     middle = [arb(each.mid()) for each in ball]
-    derivative = derivative_of(motion, over, plane)
-    inverse = inverse_of(derivative)
-    step = _step(motion, motion.follow(middle), middle, plane, inverse)
-    reaches = arb_mat([[each - m] for each, m in zip(ball, middle, strict=True)])
-    image = step + (diagonal([1] * len(ball)) - inverse * derivative) * reaches
-    return [m + image[i, 0] for i, m in enumerate(middle)]
+    try:
+        return krawczyk(
+            ball, _lacking(motion, motion.follow(middle), middle, plane), derivative_of(motion, over, plane)
+        )
+    except ZeroDivisionError:
+        raise UndecidedError(ALIKE) from None
 
 
 def newton(
@@ -103,12 +104,10 @@ def newton(
     plane = plane and Plane(plane.place, plane.weights, arb(plane.height.mid()))
     inverse = inverse_of(derivative_of(motion, motion.follow(middle, True), plane))
     for _ in range(MOST_ITERATIONS):
-        step = _step(motion, motion.follow(middle), middle, plane, inverse)
-        middle = [arb((each + step[i, 0]).mid()) for i, each in enumerate(middle)]
-        if all(
-            abs(step[i, 0]) < each * arb(2) ** (radius - 20) or step[i, 0].contains(0)
-            for i, each in enumerate(scales(motion))
-        ):
+        step = _step(motion, middle, plane, inverse)
+        middle = [arb((m + each).mid()) for m, each in zip(middle, step, strict=True)]
+        fine = (size * arb(2) ** (radius - 20) for size in scales(motion))
+        if all(abs(each) < size or each.contains(0) for each, size in zip(step, fine, strict=True)):
             break
     return middle
 
@@ -119,7 +118,7 @@ def require_alone(motion: BallMotion) -> None:
     over = motion.follow(guess, True)
     gaps = zip(over.back, guess, sizes, strict=False)
     if all(abs(end - begin) < NEAR * size for end, begin, size in gaps):
-        step = _step(motion, over, guess, None, inverse_of(derivative_of(motion, over))).entries()
+        step = _step(motion, guess, None, inverse_of(derivative_of(motion, over)))
         if any(abs(each) > NEAR * size for each, size in zip(step, sizes, strict=True)):
             raise UndecidedError("1 is a multiplier, to the digits of the motion: it may be one of a family")
 
@@ -134,17 +133,20 @@ def derivative_of(motion: BallMotion, followed: Followed, plane: Plane | None = 
     return arb_mat(table)
 
 
-def _step(
-    motion: BallMotion, followed: Followed, middle: list[arb], plane: Plane | None, inverse: arb_mat
-) -> arb_mat:
-    """Return Newton's step."""
+def _lacking(motion: BallMotion, followed: Followed, middle: list[arb], plane: Plane | None) -> list[arb]:
+    """Return what is lacking of zero of what is to vanish."""
     gaps = [m - back for m, back in zip(middle, followed.back, strict=False)]
     if motion.autonomous:
         away = (p * (s - m) for p, s, m in zip(motion.phase, motion.start, middle, strict=False))
         gaps.append(sum(away, arb(0)))
-    if plane is not None:
-        gaps.append(plane.distance(middle))
-    return inverse * arb_mat([[each] for each in gaps])
+    return gaps if plane is None else [*gaps, plane.distance(middle)]
+
+
+def _step(motion: BallMotion, middle: list[arb], plane: Plane | None, inverse: arb_mat) -> list[arb]:
+    """Return Newton's step."""
+    lacking = _lacking(motion, motion.follow(middle), middle, plane)
+    step: list[arb] = (inverse * arb_mat([[each] for each in lacking])).entries()
+    return step
 
 
 def inverse_of(derivative: arb_mat) -> arb_mat:
@@ -152,7 +154,7 @@ def inverse_of(derivative: arb_mat) -> arb_mat:
     try:
         return derivative.mid().inv().mid()
     except ZeroDivisionError:
-        raise UndecidedError("1 is a multiplier, as near as balls tell") from None
+        raise UndecidedError(ALIKE) from None
 
 
 def in_sizes(motion: BallMotion, over: Followed) -> arb_mat:
