@@ -55,8 +55,11 @@ def krawczyk(around: Sequence[arb], lacking: Sequence[arb], derivative: arb_mat)
 def between(lower: arb, upper: arb, digits: int = 12) -> str:
     """Say bounds to some digits, 12 or 15, rounded outwards by more than these leave out."""
     share = arb(2) ** (3 - 10 * digits // 3)
-    told = float((lower - share * abs(lower)).lower()), float((upper + share * abs(upper)).upper())
-    return f"between {told[0]:.{digits}g} and {told[1]:.{digits}g}"
+    outwards = (lower - share * abs(lower)).lower(), (upper + share * abs(upper)).upper()
+    words = [f"{float(each):.{digits}g}" for each in outwards]
+    if not (arb(words[0]) <= lower and arb(words[1]) >= upper):
+        raise UndecidedError("a number is too large or too small for the digits in which it is told")
+    return f"between {words[0]} and {words[1]}"
 
 
 def real(value: fmpq | int) -> arb:
@@ -116,18 +119,14 @@ def positive_roots(polynomial: fmpq_poly) -> list[tuple[arb, int]] | None:
     """
     found: list[tuple[arb, int]] = []
     for factor, multiplicity in polynomial.numer().factor_squarefree()[1]:
-        low = next(place for place, each in enumerate(factor.coeffs()) if each)
-        shifted = factor.right_shift(low) if low else factor
-        step = max(1, int(shifted.deflation()[1]))
-        deflated = shifted.deflation()[0] if step > 1 else shifted
-        isolated: Any = deflated.complex_roots() if deflated.degree() > 0 else []
+        isolated: Any = factor.complex_roots() if factor.degree() > 0 else []
         for root, _ in isolated:
-            if not root.imag.is_zero():
+            if not root.imag.is_zero() or root.real.is_zero():
                 continue
             if not (root.real > 0 or root.real < 0):
                 return None
             if root.real > 0:
-                found.append((root.real.root(step), int(multiplicity)))
+                found.append((root.real, int(multiplicity)))
     return sorted(found, key=lambda each: float(each[0].mid()))
 
 

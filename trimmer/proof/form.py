@@ -87,17 +87,15 @@ def _require_clock(course: Course, motion: BallMotion) -> None:
     told = [each.at for each in course.segments if each.at is not None]
     whole = 0.0 if motion.autonomous else float(motion.tables.period[0])
     slack = TOGETHER * min((sample for sample, _ in course.clock), default=0.0)
+    counts = [round(whole / sample) for sample, _ in course.clock]
+    fits = all(abs(n * sample - whole) <= slack for n, (sample, _) in zip(counts, course.clock, strict=True))
     due = sorted(
         each % whole if each > whole - slack else each
-        for sample, delay in course.clock
+        for n, (sample, delay) in zip(counts, course.clock, strict=True)
         for late in (0.0, delay)
-        for each in (late + k * sample for k in range(round(whole / sample)))
+        for each in (late + k * sample for k in range(min(n, len(told) + 1)))
     )
     apart = [each for place, each in enumerate(due) if not place or each - due[place - 1] > slack]
-    fits = all(abs(round(whole / sample) * sample - whole) <= slack for sample, _ in course.clock)
-    if (
-        not fits
-        or len(apart) != len(told)
-        or any(abs(a - b) > slack for a, b in zip(apart, told, strict=True))
-    ):
+    pairs = zip(apart, told, strict=False)
+    if not fits or len(apart) != len(told) or any(abs(a - b) > slack for a, b in pairs):
         raise RefutedError("the instants of the clock are not those of its samples")

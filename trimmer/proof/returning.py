@@ -7,7 +7,8 @@ m - Y F(m) + (1 - Y F')(ball - m) lies inside the ball.
 """
 
 import functools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Self
 
 from flint import acb, acb_mat, arb, arb_mat
 
@@ -29,6 +30,10 @@ class Plane:
     place: list[arb]  # The unknowns somewhere on it
     weights: list[arb]  # One for each of them
     height: arb  # All heights for which a statement holds
+
+    def at(self, height: arb) -> Self:
+        """Return the plane, or all planes, of a height."""
+        return replace(self, height=height)
 
     def distance(self, unknown: list[arb]) -> arb:
         """Return how far the unknowns are below it."""
@@ -101,7 +106,7 @@ def newton(
 ) -> list[arb]:
     """Find about what returns, by Newton's method, to less than the radius of a ball."""
     middle = guess or first_guess(motion)
-    plane = plane and Plane(plane.place, plane.weights, arb(plane.height.mid()))
+    plane = plane and plane.at(arb(plane.height.mid()))
     inverse = inverse_of(derivative_of(motion, motion.follow(middle, True), plane))
     for _ in range(MOST_ITERATIONS):
         step = _step(motion, middle, plane, inverse)

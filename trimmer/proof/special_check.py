@@ -8,10 +8,7 @@ multiplier somewhere between. Where the modulus of a pair of eigenvalues of D pa
 motions have no events, and the smallest value of an event function passes 0, they graze.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from flint import acb_mat, arb, arb_mat, ctx
 
@@ -37,6 +34,8 @@ from trimmer.proof.statement import StatedSpecialPoint
 HALF = RADIUS - 50  # Power of two of half the length of the piece, as a share of the sizes
 TOUCH, WIDE = -32, -20  # For a grazing: half the length, in the number, and the balls of all motions on it
 MOST_SECANTS = 25
+Test = Callable[[BallMotion, Followed, Plane], arb]
+"""What changes its sign, of a motion and its derivative on a plane."""
 WITHIN = 1e-6  # Distance from the value as it was computed, as a share of it: six digits
 BESIDE = 1e-5
 """Distance of its orbit from the computed one, as a share of the sizes: a multiplier near 1 costs digits."""
@@ -54,41 +53,28 @@ def check_special_point(data: StatedSpecialPoint) -> str:
         return (_grazing if kind == "grazing" else _checked)(BallMotion(data.motion, data), data)
 
 
-@dataclass
-class Branch:
-    """A branch near a special point, in planes across it."""
+def _about_zero(motion: BallMotion, plane: Plane, test: Test) -> tuple[list[arb], arb]:
+    """Find about where a test is zero, by secants; return the unknowns and the height."""
+    guess, seen, height = first_guess(motion), list[tuple[arb, arb]](), arb(0)
+    for _ in range(MOST_SECANTS):
+        here = plane.at(height)
+        guess = newton(motion, here, guess)
+        seen.append((height, arb(test(motion, motion.follow(guess, True), here).mid())))
+        following = height + arb(2) ** -30 if len(seen) == 1 else _secant(*seen[-2:])
+        if following is None or abs(following - height) < arb(2) ** (HALF - 20):
+            return guess, height
+        if not abs(following) < 0.01:
+            break
+        height = following
+    raise UndecidedError("no place where a sign changes was found near the point")
 
-    motion: BallMotion  # The family
-    plane: Plane  # The plane of height 0
-    # What changes its sign, of a motion and its derivative on a plane
-    test: Callable[[BallMotion, Followed, Plane], arb]
 
-    def at(self, height: arb) -> Plane:
-        """Return the plane, or all planes, of a height."""
-        return Plane(self.plane.place, self.plane.weights, height)
-
-    def about_zero(self) -> tuple[list[arb], arb]:
-        """Find about where the test is zero, by secants; return the unknowns and the height."""
-        guess, seen, height = first_guess(self.motion), list[tuple[arb, arb]](), arb(0)
-        for _ in range(MOST_SECANTS):
-            guess = newton(self.motion, self.at(height), guess)
-            value = arb(self.test(self.motion, self.motion.follow(guess, True), self.at(height)).mid())
-            seen.append((height, value))
-            following = height + arb(2) ** -30 if len(seen) == 1 else _secant(*seen[-2:])
-            if following is None or abs(following - height) < arb(2) ** (HALF - 20):
-                return guess, height
-            if not abs(following) < 0.01:
-                break
-            height = following
-        raise UndecidedError("no place where a sign changes was found near the point")
-
-    def sign(self, height: arb, piece: Returned) -> int:
-        """Return the sign of the test at a height, on the piece."""
-        plane = self.at(height)
-        value = self.test(self.motion, narrowed(self.motion, plane, piece).over, plane)
-        if value.contains(0):
-            raise UndecidedError("the sign of a determinant is not told")
-        return 1 if value > 0 else -1
+def _sign(motion: BallMotion, plane: Plane, test: Test, piece: Returned) -> int:
+    """Return the sign of a test on a plane, on the piece."""
+    value = test(motion, narrowed(motion, plane, piece).over, plane)
+    if value.contains(0):
+        raise UndecidedError("the sign of a determinant is not told")
+    return 1 if value > 0 else -1
 
 
 def _secant(before: tuple[arb, arb], last: tuple[arb, arb]) -> arb | None:
@@ -98,13 +84,12 @@ def _secant(before: tuple[arb, arb], last: tuple[arb, arb]) -> arb | None:
 
 def _checked(motion: BallMotion, data: StatedSpecialPoint) -> str:
     require_form(motion)
-    branch = Branch(motion, _plane(motion, data.kind == "fold"), TESTS[data.kind])
-    guess, height = branch.about_zero()
-    half = arb(2) ** HALF
-    piece = solve(motion, branch.at(height + about(half)), guess)
+    plane, test, half = _plane(motion, data.kind == "fold"), TESTS[data.kind], arb(2) ** HALF
+    guess, height = _about_zero(motion, plane, test)
+    piece = solve(motion, plane.at(height + about(half)), guess)
     require_near(motion, piece.unknown, BESIDE)
     if data.kind == "torus":
-        _circling(motion, piece.over, branch.plane)
+        _circling(motion, piece.over, plane)
     value = arb(data.value) + piece.unknown[-1] * motion.unit
     if not abs(value / arb(data.value) - 1) < WITHIN:
         raise RefutedError(f"the {data.kind} nearest to it is at {float(value.mid())!r}")
@@ -112,7 +97,8 @@ def _checked(motion: BallMotion, data: StatedSpecialPoint) -> str:
     readings(whole, piece.over, ())
     if not data.motion.signs:
         require_shortest(whole, piece.over)
-    if branch.sign(height - half, piece) == branch.sign(height + half, piece):
+    first, last = (_sign(motion, plane.at(each), test, piece) for each in (height - half, height + half))
+    if first == last:
         raise UndecidedError("nothing changes its sign")
     told = f"{float(value.mid()):.10g}"
     if not abs(value / arb(float(told)) - 1) < TOLD:
@@ -126,9 +112,9 @@ def _grazing(motion: BallMotion, data: StatedSpecialPoint) -> str:
     functions = tuple(range(motion.segments[0].functions.nrows()))
     if len(motion.segments) > 1 or not functions:
         raise UndecidedError("a grazing of motions that have events besides is not covered")
-    branch, half = Branch(motion, _plane(motion, False), _crossing), arb(2) ** TOUCH
-    whole = solve(motion, branch.at(about(half)), radius=WIDE)
-    before, near, after = (narrowed(motion, branch.at(height), whole) for height in (-half, arb(0), half))
+    plane, half = _plane(motion, False), arb(2) ** TOUCH
+    whole = solve(motion, plane.at(about(half)), radius=WIDE)
+    before, near, after = (narrowed(motion, plane.at(height), whole) for height in (-half, arb(0), half))
     require_near(motion, near.unknown, BESIDE)
     heights = [abs(smallest(motion, near.over, k, functions)) for k in functions]
     touching = [k for k, height in enumerate(heights) if height < BESIDE]
@@ -185,13 +171,12 @@ def _circling(motion: BallMotion, over: Followed, plane: Plane) -> arb:
     return arb(abs(near[0]) ** 2 - 1)
 
 
-TESTS: dict[str, Callable[[BallMotion, Followed, Plane], arb]] = {
+TESTS: dict[str, Test] = {
     "fold": _turning,
     "period-doubling": _crossing,
     "symmetry-breaking": _crossing,
     "torus": _circling,
 }
-"""What changes its sign at each kind of special point."""
 
 
 def _theorem(motion: BallMotion, data: StatedSpecialPoint, told: str, touching: int | None = None) -> str:

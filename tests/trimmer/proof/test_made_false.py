@@ -166,6 +166,11 @@ CHANGES = [
         "one event does different things to the states",
     ),
     ("sampled, at its limit", shorter_than_its_period, "the motion begins or ends at an event"),
+    (
+        "sampled, at its limit",
+        at("motion", "clock", 0, 0, to=1e-300),
+        "the instants of the clock are not those",
+    ),
     ("sampled, at its limit", clock_of_another_period, "the instants of the clock are not those"),
     ("without events", lasts(-1.0), "a period is not positive"),
     ("without events", lasts(0.0), "a period is not positive"),

@@ -121,6 +121,11 @@ def weighted(data: dict[str, Any]) -> None:
         row[0] *= 1 + 1e-12
 
 
+def told_in_no_digits(data: dict[str, Any]) -> None:
+    for row in data["functionals"][0]["rows"]:
+        row[:] = [1e-300 * (1e-23 * each) for each in row]
+
+
 def before_no_event(data: dict[str, Any]) -> None:
     data["functionals"][2]["before"] = [len(data["motion"]["segments"])]
 
@@ -134,6 +139,7 @@ def less_a_mode(data: dict[str, Any]) -> None:
     [
         (weighted, "the file says another theorem"),
         (at("functionals", 2, "before", to=[]), "the file says another theorem"),
+        (told_in_no_digits, "a number is too large or too small for the digits"),
         (before_no_event, "a functional is told before an event that is none"),
         (less_a_mode, "a functional does not fit the modes"),
         (at("motion", "state", 0, by=1 + 1e-6), "the motion begins elsewhere: state 0"),
