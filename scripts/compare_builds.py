@@ -49,6 +49,9 @@ def main() -> int:
     arguments = parser.parse_args()
     if arguments.action == "keep":
         return keep(arguments.folder.resolve())
+    for folder in (arguments.old, arguments.new):
+        if not (folder / "claims.json").is_file():
+            parser.error(f"{folder} has no claims.json; write one with keep {folder}")
     found = list(differences(arguments.old, arguments.new))
     print("\n".join(found) or "no difference")
     return 1 if found else 0
@@ -125,7 +128,7 @@ def claims_that_differ(old: Path, new: Path) -> Iterator[str]:
     rows = [{claim["id"]: claim for claim in content["claims"]} for content in (before, after)]
     if list(rows[0]) != list(rows[1]):
         yield f"claims.json: ids or their order differ: {sorted(set(rows[0]) ^ set(rows[1]))}"
-    for claim_id in rows[0].keys() & rows[1].keys():
+    for claim_id in filter(rows[1].__contains__, rows[0]):
         first, second = rows[0][claim_id], rows[1][claim_id]
         for key in (first.keys() | second.keys()) - {"source"}:
             if first.get(key) != second.get(key):
