@@ -21,6 +21,7 @@ def test_works_are_in_order_and_have_their_own_names() -> None:
         ("Tsypkin's condition in closed form", ["tsypkin"]),
         ("confirmed by SciPy's matrix exponential", ["moler", "virtanen"]),
         ("the Floquet multipliers of the exact orbits", ["floquet", "leine"]),
+        ("integrated by DOP853; proven by ball arithmetic", ["hairer", "johansson"]),
         ("quotient of the two frequencies", []),
     ],
 )
