@@ -157,6 +157,7 @@ local converters = {
   meta = call("meta"),
   evidence = call("evidence"),
   part = call("part"),
+  leading = call("leading"),
   fold = function(div)
     return div.classes:includes("kept") and div.content or {}
   end,

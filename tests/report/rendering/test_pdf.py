@@ -156,3 +156,22 @@ def test_a_formula_of_a_design_that_is_too_wide_is_set_small() -> None:
     with pytest.raises(TypesettingError, match="does not fit"):
         typeset(Head("Title", "", "2026-03-01"), wide, {})
     assert typeset(Head("Title", "", "2026-03-01", strict=False), wide, {}).startswith(b"%PDF-")
+
+
+@pytest.mark.poppler
+@pytest.mark.parametrize(
+    "source",
+    [
+        '#leading[\nstable if\n\n] #numbered("")[$ "growth" < 0 $]',
+        "#report-table((1fr,), (left,), ([Head],), [stable if #parbreak() growth])",
+    ],
+)
+def test_words_stay_with_their_formula_and_a_row_on_its_page(source: str, tmp_path: Path) -> None:
+    fills = [f"#block(height: {height}pt) {source} #pagebreak()" for height in range(600, 710, 6)]
+    path = tmp_path / "pages.pdf"
+    path.write_bytes(
+        typeset(Head("Title", "", "2026-03-01"), "\n".join([*fills, '#[#metadata("") <end-of-report>]']), {})
+    )
+    pages = poppler("pdftotext", str(path), "-").split("\f")
+    assert sum("stable if" in page for page in pages) == len(fills)
+    assert ["stable if" in page for page in pages] == ["growth" in page for page in pages]
