@@ -24,12 +24,12 @@ def answers(known: Evidence) -> tuple[Answer, ...]:
             no limit cycle.
             """,
             f"""
-            The proportion is exact, and holds for every play: the amplitude is {stable.amplitude:.2f} times
-            the gap in the thesis's loop, {cycles.friction_both_channels.stable.amplitude:.2f} times with the
-            pin's velocity, at a frequency that does not depend on the gap. There is no smallest play. The
-            limit cycle belongs to a loop that feeds the output back to the pin. In a trimmer the motor moves
-            the pin, and where play only passes the pin's displacement on, as in the thesis, the vibration
-            repeats with the drive.
+            The proportion is exact, and holds for every play: by harmonic balance the amplitude is
+            {stable.amplitude:.2f} times the gap in the thesis's loop,
+            {cycles.friction_both_channels.stable.amplitude:.2f} times with the pin's velocity, at a frequency
+            that does not depend on the gap. There is no smallest play. The limit cycle belongs to a loop that
+            feeds the output back to the pin. In a trimmer the motor moves the pin, and where play only passes
+            the pin's displacement on, as in the thesis, the vibration repeats with the drive.
             """,
             ("txt-7-proportional", "txt-6-threshold", "txt-5.2.1-proportional", "lst-A.1"),
         ),

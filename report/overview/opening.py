@@ -9,8 +9,8 @@ from report.overview.opening_figure import opening_figure
 BOUND = 1.0  # Of friction in the thesis, N
 
 SENTENCES = (
-    "The trimmer was computed again, with a bridge that pushes back on the motor. There play brings "
-    "harmonics of the drive, subharmonics and chaos."
+    "The trimmer was computed again, with a bridge that pushes back on the motor. With it "
+    "play brings harmonics of the drive, subharmonics and chaos."
 )
 
 

@@ -1,4 +1,4 @@
-"""What changes a conclusion, by its root: three slips with what grows from each, and what stands alone.
+"""What changes a conclusion, by its root: three mistakes with what grows from each, and what stands alone.
 
 Each card of that grade stands in exactly one of them.
 """

@@ -74,7 +74,7 @@ def of_check(check: CellCheck) -> ObservationRecord:
         by_rounding = f", {check.by_rounding} of them only from a start a nanometre beside rest"
         others = f"""
 
-            Not so came out: {"; ".join(check.others)}. There the kept motion or the new one does not repeat,
+            These did not: {"; ".join(check.others)}. There the kept motion or the new one does not repeat,
             and how a long transient ends depends on rounding.
         """
         yield text(f"""

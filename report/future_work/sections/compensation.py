@@ -111,12 +111,12 @@ def drawing(known: Evidence) -> Figure:
 def how(known: Evidence) -> Observed:
     predicted = 1 - known.cycles.equivalent.in_place.merger.force_per_gap * GAP / FRICTION
     yield text(f"""
-        A share $s$ leaves friction $(1 - s) F$ between cutter and guard; beyond one, a relay on the velocity
-        pushes along. Curves: linear equations from one turn of the pin to the next; dots: exact orbits by
-        shooting; crosses: harmonic balance with play and friction each in its place, which puts the first
-        limit cycle at {predicted:.1%}. In the twin at 110 Hz either friction is lowered as such, or a force
-        $s F$ with the sign of the pin's velocity acts on cutter and guard, with its odd harmonics up to the
-        {HIGHEST}th.
+        If a share $s$ is compensated, friction of $(1 - s) F$ is left between cutter and guard. With $s$
+        above one it turns into a push along the velocity. Curves: linear equations from one turn of the pin
+        to the next; dots: exact orbits by shooting; crosses: harmonic balance with play and friction each in
+        its place, which puts the first limit cycle at {predicted:.1%}. In the twin at 110 Hz either friction
+        is lowered as such, or a force $s F$ with the sign of the pin's velocity acts on cutter and guard,
+        with its odd harmonics up to the {HIGHEST}th.
     """)
     rows = [row for row in COMPENSATION.read()["too much"] if row[3]]
     for (share, _, amplitude, _), again in zip(

@@ -62,13 +62,14 @@ def answer(known: Evidence) -> Observed:
     tight, wide = (in_twin("seat", SPEEDS[0])[at] for at in (0, -1))
     most = max(row[5] for row in gears) / usual[5] - 1
     yield text(f"""
-        Directly behind each other two plays with friction are one play of both gaps, so the limit cycle keeps
-        its frequency and grows with the sum. Two describing functions multiplied, as a cascade suggests, miss
-        that: for two equal plays they give {frequency:.1f} Hz and {amplitude:.2f} times the sum in place
-        of {exact.frequency:.1f} Hz and {exact.amplitude:.2f}. Play between guard and housing, which section
-        6.3 leaves out, lowers the loop's {exact.frequency:.2f} Hz to {seats[-1, 1]:.2f} Hz and the amplitude
-        by {1 - seats[-1, 2] / exact.amplitude:.1%}; beyond {2 * seats[-1, 3]:.2f} of the pin's play the guard
-        no longer reaches the ends of its seat, and nothing changes any more.
+        Two plays with friction, one directly behind the other, act as one play whose gap is the sum of both,
+        so the limit cycle keeps its frequency and grows with the sum. Two describing functions multiplied, as
+        a cascade suggests, miss that: for two equal plays they give {frequency:.1f} Hz and {amplitude:.2f}
+        times the sum in place of {exact.frequency:.1f} Hz and {exact.amplitude:.2f}. Play between guard and
+        housing, which section 6.3 leaves out, lowers the loop's {exact.frequency:.2f} Hz to
+        {seats[-1, 1]:.2f} Hz and the amplitude by {1 - seats[-1, 2] / exact.amplitude:.1%}; beyond
+        {2 * seats[-1, 3]:.2f} of the pin's play the guard no longer reaches the ends of its seat, and nothing
+        changes any more.
 
         In the trimmer driven at {SPEEDS[0]:.0f} Hz with {MICRO * GAP:.0f} µm, a seat with
         {MICRO * wide[0]:.0f} µm shortens the stroke by {1 - wide[4] / tight[4]:.1%}; where a part of the play

@@ -81,8 +81,8 @@ def speed(known: Evidence) -> Observed:
     yield text(f"""
         With 0.5 N, over drives from 60 to 200 Hz, {numbers.shares["one"]:.0%} of {numbers.cells} cells repeat
         with the drive and {numbers.shares["chaotic"]:.0%} are chaotic. The gap up to which the drive's period
-        lasts changes from {slower:.0f} µm at 100 Hz over {at_drive:.0f} µm at 110 Hz to {faster:.0f} µm at
-        120 Hz: the edge is ragged, and 10 Hz count. One band is calm: from 146 to 164 Hz all
+        lasts is {slower:.0f} µm at 100 Hz, {at_drive:.0f} µm at 110 Hz and {faster:.0f} µm at 120 Hz: the
+        edge is ragged, and 10 Hz make a difference. One band is calm: from 146 to 164 Hz all
         {int(calm.sum())} cells up to 0.18 mm repeat with the drive. At 74 Hz all gaps up to 0.5 mm do, but
         not at 72 or 76 Hz, so nobody should aim at it. Gaps up to {1e6 * numbers.common_reach:.0f} µm do at
         all speeds.
