@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 import control
-import numpy as np
 import pytest
 
 from tests.trimmer.proof.test_limit_cycles import LOOPS, balanced
@@ -92,13 +91,6 @@ def shorter_than_its_period(data: Data) -> None:
     del segments[last + 1 :]
 
 
-def jumping_at_its_start(data: Data) -> None:
-    """Let states jump without an event, by so little that a motion without damping is stable."""
-    size = len(data["motion"]["state"]) + len(data["equations"]["forcing"])
-    data["equations"]["resets"] = [np.diag([1 - 1e-11] * 2 + [1.0] * (size - 2)).tolist()]
-    data["motion"]["segments"][0]["reset"] = 0
-
-
 def past_a_wall_in_no_time(data: Data) -> None:
     """Let events come at angles of the drive; between two, told as 0 s apart, a function is negative."""
     motion, equations = data["motion"], data["equations"]
@@ -174,7 +166,8 @@ CHANGES = [
     ("sampled, at its limit", clock_of_another_period, "the instants of the clock are not those"),
     ("without events", lasts(-1.0), "a period is not positive"),
     ("without events", lasts(0.0), "a period is not positive"),
-    ("without events", jumping_at_its_start, "the states jump where the motion begins"),
+    # By 1e-11 it would let a motion without damping be stable.
+    ("relay", at("motion", "segments", 0, "reset", to=0), "the states jump where the motion begins"),
     ("without events", past_a_wall_in_no_time, "event function 1 of segment 1 is negative within it"),
     (
         "without events",

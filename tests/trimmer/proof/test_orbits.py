@@ -172,16 +172,6 @@ def test_a_file_that_was_made_false_is_refused(proof, tmp_path, capsys, change, 
     assert told in capsys.readouterr().err
 
 
-def test_what_forces_a_motion_must_return(tmp_path: Path) -> None:
-    orbit = ORBITS["ball on a wall"]()
-    written = prove_orbit(orbit.subject, orbit)
-    data = json.loads(json.dumps(written.data))
-    at("equations", "resets", 0, -1, 0, to=1e-9)(data)
-    replace(written, data=data).write(tmp_path / "orbit.json")
-    refused = check_proof(tmp_path / "orbit.json")
-    assert (refused.verdict, refused.reason) == ("refuted", "what forces the states does not return")
-
-
 def test_a_file_as_it_was_written_is_proven_again(proof: Proof, tmp_path: Path) -> None:
     proof.write(tmp_path / "orbit.json")
     assert check_proof(tmp_path / "orbit.json") == proof
@@ -231,6 +221,7 @@ def sampled_later(data: dict[str, Any]) -> None:
             at("equations", "resets", 0, 1, 1, by=1 + 1e-6),
             "the motion begins elsewhere: state 0",
         ),
+        ("ball on a wall", at("equations", "resets", 0, -1, 0, to=1e-9), "what forces the states does not"),
         ("sampled, at its limit", beyond_its_limit, "a demand is beyond its limit or not, other than said"),
         ("sampled, at its limit", sampled_later, "the instants of the clock are not those"),
     ],
