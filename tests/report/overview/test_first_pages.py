@@ -17,7 +17,7 @@ from report.overview.opening import opening
 from report.overview.roots import ROOTS
 from report.overview.short import short
 from report.rendering.summary import partly
-from trimmer import TrimmerParameters
+from trimmer import Mechanism, MotionKind, TrimmerParameters, respond
 
 
 @pytest.fixture(scope="module")
@@ -95,6 +95,14 @@ def test_the_roll_off_has_the_numbers_of_its_card(evidence, findings) -> None:
     slope = findings["txt-5.1.2-roll-off"].parts[0]
     printed, derived = (str(side).lstrip("-").split()[0] for side in (slope.printed, slope.derived))
     assert f"falls by {derived} dB per decade, not by {printed}." in matter.wrong
+
+
+def test_below_the_force_that_is_told_the_real_trimmer_does_not_repeat(evidence, project_folder) -> None:
+    machine = Mechanism.from_toml(project_folder / "examples" / "thesis-play.toml")
+    (told,) = re.findall(r"with 0.2 mm it takes (\S+) N", str(balance(evidence)))
+    for force, kind in ((float(told), MotionKind.PERIODIC), (float(told) - 0.1, MotionKind.CHAOTIC)):
+        changed = machine.with_value("plays.bridge.gap", 2e-4).with_value("frictions.blade.force", force)
+        assert respond(changed).kind is kind
 
 
 def test_each_card_that_changes_a_conclusion_has_one_root(findings):
