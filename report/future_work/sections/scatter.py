@@ -112,6 +112,7 @@ def drawing(known: Evidence) -> Figure:
     )
     damping.axvline(100 * of_bridge(known.numbers.parameters)[1], color=BLACK, linestyle="--")
     damping.set(xscale="log", xlabel="damping ratio of the bridge [%]", ylabel="sets", title="existence")
+    damping.set_axisbelow(True)
     damping.legend(loc="upper left")
     return drawn_
 

@@ -104,7 +104,7 @@ def drawing(_: Evidence) -> Figure:
         points = [(MICRO * row[0], MILLI * row[4], row[2]) for row in rows]
         marked(stroke, points, f"{speed:.0f} Hz", line)
     stroke.set(xlabel="play of the seat [µm]", ylabel="stroke [mm]", title="the driven trimmer")
-    stroke.legend(loc="upper left", bbox_to_anchor=(0.0, 0.75))
+    stroke.legend(loc="upper left", bbox_to_anchor=(0.0, 0.67))
     return drawn
 
 
