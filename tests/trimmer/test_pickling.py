@@ -117,6 +117,7 @@ def test_orbits_are_as_before(copied: Callable) -> None:
         assert again.impacts == orbit.impacts
         assert again.stroke_of() == orbit.stroke_of()
         assert again.prediction == orbit.prediction
+        assert len(pickle.dumps(orbit)) < 20_000  # Tables of its modes would take 600 000
 
 
 def test_results_are_as_before(copied: Callable) -> None:

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from trimmer import ContactLaw, FrictionBacklash, Mechanism, MechanismMotion, forced_orbit, simulate
 from trimmer.hybrid.stretch import Ending
@@ -44,6 +45,21 @@ def test_a_motion_keeps_all_its_events_however_many(changes: dict[str, object]) 
     place = np.where(away > 0, 0.5 - away, 0.5 + 0.1 * np.sin(10 * since))
     place, side = np.where(lap < 0, times, place), np.where(lap < 0, 1.0, side)
     assert motion.displacement("body", times) == pytest.approx(side * place, abs=1e-10)
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_what_was_let_go_is_pushed_again_before_it_has_left(side: float) -> None:
+    """A damper that would pull is let go, and a push drives the body back into the spring."""
+    slot = Play(BETWEEN, 10.0, 5.0, 1.0, law=ContactLaw.TRUNCATED)
+    mechanism = Mechanism({"body": Body(1.0)}, plays={"slot": slot}, forces={"push": Force("body", side)})
+    motion = simulate(mechanism, 3.0, state={"body": (1.05 * side, -side)})
+    assert [event.kind.value for event in motion.events] == ["contact broken", "contact made"]
+
+    def rates(_: float, y: np.ndarray) -> list[float]:
+        return [y[1], 1.0 - max(10.0 * (y[0] - 0.5) + 5.0 * y[1], 0.0)]
+
+    end = solve_ivp(rates, (0.0, 3.0), [1.05, -1.0], "DOP853", rtol=1e-11, atol=1e-12, max_step=0.01).y[:, -1]
+    assert motion.final["body"] == pytest.approx(tuple(side * end), rel=1e-7)
 
 
 def test_a_motion_that_takes_too_many_steps_ends_where_they_end() -> None:

@@ -118,3 +118,17 @@ def test_a_long_motion_that_is_interrupted_is_known_until_then(monkeypatch: pyte
     assert (motion.outcome, motion.success, motion.message) == (Outcome.INTERRUPTED, False, "interrupted")
     assert motion.duration > 1e5
     assert motion.state(3.0) == pytest.approx([math.cos(6.0), -2.0 * math.sin(6.0)], rel=1e-11)
+
+
+def test_numbers_of_a_trimmer_are_in_their_units() -> None:
+    ends = Displacement(TrimmerBody.CUTTER, TrimmerBody.GUARD)
+    frictions = tuple(BodyFriction(ends, law) for law in (CoulombFriction(0.5), ViscousFriction(2.0)))
+    loop = TrimmerLoop(THESIS, ViscousBacklash(4e-5, 1e-3), DRIVE, frictions=frictions)
+    told = {
+        place: unit for place, unit in loop.places.items() if not place.startswith(("parameters", "start"))
+    }
+    assert told == {
+        **{"frequency": "Hz", "drive.amplitude": "m", "drive.phase": "rad"},
+        **{"element.gap": "m", "element.time_constant": "s"},
+        **{"frictions.q2-q4.force": "N", 'frictions."q2-q4 2".damping': "N s/m"},
+    }

@@ -114,7 +114,14 @@ REFUSED = {
     "whole numbers": ("oscillator-stop", "forces.drive.order", 1, 3, {}, "whole numbers"),
     "no place": ("oscillator-stop", "stops.stop.gab", 1.0, 2.0, {}, "gap"),
     "no step": ("oscillator-stop", "frequency", 1.0, 2.0, {"steps": 0}, "steps"),
-    "one period": ("oscillator-stop", "frequency", 1.0, 2.0, {"periods": 1}, "periods"),
+    "one period": (
+        "oscillator-stop",
+        "frequency",
+        1.0,
+        2.0,
+        {"periods": 1},
+        "periods must be .* 2 on, not 1",
+    ),
 }
 
 
