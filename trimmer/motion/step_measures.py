@@ -19,6 +19,7 @@ from trimmer.motion.signals import Signal, along
 
 RISE = 0.1, 0.9  # Shares of the step from the first reaching of which to that of the other it rises
 BAND = 0.02  # Share of the step within which the signal stays once it has settled
+ROUNDING = 1e-12  # Share of the step beyond it up to which nothing overshoots
 
 
 @dataclass(frozen=True)
@@ -75,9 +76,10 @@ def step_measures(
     first, last = (pieces.first_reaching(share * size) for share in RISE)
     settling = pieces.settling(size, BAND * size)
     final = sign * float(pieces.points.values[-1]) if settled_mean is None else settled_mean
+    beyond = float(pieces.points.values.max()) / size - 1
     return StepMeasures(
         rise_time=None if first is None or last is None else last - first,
-        overshoot=100 * max(float(pieces.points.values.max()) / size - 1, 0.0),
+        overshoot=100 * beyond if beyond > ROUNDING else 0.0,
         settling_time=None if settling is None else settling - step.at,
         final_error=step.size - final,
         largest_control=None if control is None else largest(course, control),

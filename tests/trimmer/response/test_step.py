@@ -72,6 +72,29 @@ def test_a_sampled_controller_follows_as_a_second_program_says() -> None:
     assert (limited.largest_control, limited.largest_demand) == pytest.approx((2.0, 7.421666666666667))
 
 
+@pytest.mark.parametrize("step", [0.003, 0.008, 0.07])
+def test_what_creeps_up_to_its_reference_does_not_overshoot_by_rounding(step: float) -> None:
+    """A valve under PI: all poles are real, and the residues keep the lift below the reference."""
+    text = f"""
+    [bodies]
+    stem = {{ mass = 1.2 }}
+    [links]
+    spring = {{ between = ["ground", "stem"], stiffness = 15e3, damping = 900.0 }}
+    [outputs]
+    lift = {{ stem = 1 }}
+    [controllers.positioner]
+    kind = "pid"
+    measure = "lift"
+    reference = "path"
+    acts = ["ground", "stem"]
+    kp = 20e3
+    ki = 60e3
+    [references]
+    path = {{ step = {step}, at = 0.05 }}
+    """
+    assert step_response(Mechanism.from_toml_text(text)).measures.overshoot == 0.0
+
+
 def test_what_hunts_has_the_error_of_its_mean() -> None:
     """servo.json, hunting_one_mass_static_friction; by symmetry the mean is the reference."""
     found = step_response(Mechanism.from_toml_text(STICTION), "path")
