@@ -7,6 +7,7 @@ sum is an upper bound of them.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Generic, NamedTuple, TypeVar
@@ -17,6 +18,7 @@ from trimmer.arrays import Places, Reals
 from trimmer.hybrid.system import System
 from trimmer.hybrid.tables import NO_RESET, UNKNOWN, Modes, Tables
 
+UNUSED = 2  # References to an array that one list alone holds, while they are counted
 STRAIGHT = 2.0**-46  # Share of the largest number of a kind by which a table may miss a straight line
 NUMBERS = ("flow", "hold", "decay", "decayed", "scale", "resets", "series", "taylor", "sizes", "screen")
 """Tables of numbers."""
@@ -90,6 +92,7 @@ class AffineModes(Generic[_System]):
     def __post_init__(self) -> None:
         self._base: Tables | None = None
         self._changes: Mapping[str, Change] = {}
+        self._blocks: _Blocks | None = None
 
     def learn(self, modes: Modes[Any]) -> bool:
         """Take the modes and transitions that other modes have met; say whether all are affine still."""
@@ -125,6 +128,7 @@ class AffineModes(Generic[_System]):
             return None
         changes = {name: Change.between(getattr(first, name), getattr(last, name)) for name in NUMBERS}
         self._changes = {name: change for name, change in changes.items() if len(change.places)}
+        self._blocks = _Blocks.of(first, self._changes)
         return first
 
     def numbers_alike(self, modes: Modes[Any]) -> bool:
@@ -137,10 +141,8 @@ class AffineModes(Generic[_System]):
     def at(self, share: float, system: _System) -> Modes[_System]:
         """Return the modes of the system at a share of the way from the first value to the last."""
         assert self._base is not None
-        base = self._base
-        changed: dict[str, Any] = {
-            name: change.on(getattr(base, name), share) for name, change in self._changes.items()
-        }
+        assert self._blocks is not None
+        base, changed = self._base, self._blocks.at(share)
         own = {name: getattr(base, name).copy() for name in OF_EVENTS if name not in changed}
         return self.first.continued(system, base._replace(**{**changed, **own}))
 
@@ -149,6 +151,46 @@ class AffineModes(Generic[_System]):
         assert self._base is not None
         table: Reals = getattr(self._base, name)
         return self._changes[name].alone(table) if name in self._changes else np.zeros_like(table)
+
+
+@dataclass(eq=False)
+class _Blocks:
+    """Memory for the tables that change with a number, each piece of it for those of one value.
+
+    Copying them takes longer than to write what changes. So a piece is written again once nobody holds a
+    table in it any more, which its reference count tells.
+    """
+
+    base: Reals  # All these tables at the first value, one after the other
+    change: Change  # Their change
+    start: Reals  # What they are where they change, at the first value
+    parts: Mapping[str, tuple[slice, tuple[int, ...]]]  # Where each of them is, and its shape
+    known: list[Reals]  # The pieces
+
+    @classmethod
+    def of(cls, base: Tables, changes: Mapping[str, Change]) -> _Blocks:
+        """Return memory for some tables, of which that at the first value and the changes are given."""
+        parts, places, end = dict[str, tuple[slice, tuple[int, ...]]](), [np.empty(0, dtype=np.intp)], 0
+        for name, change in changes.items():
+            table = getattr(base, name)
+            parts[name] = slice(end, end + table.size), table.shape
+            places.append(end + change.places)
+            end += table.size
+        first = np.concatenate([np.empty(0), *(getattr(base, name).reshape(-1) for name in changes)])
+        by = np.concatenate([np.empty(0), *(each.by for each in changes.values())])
+        change = Change(np.concatenate(places), by)
+        return cls(first, change, first[change.places], parts, [])
+
+    def at(self, share: float) -> dict[str, Any]:
+        """Return the tables at a share of the way by their names."""
+        free = (each for each in range(len(self.known)) if sys.getrefcount(self.known[each]) == UNUSED)
+        number = next(free, None)
+        if number is None:
+            number = len(self.known)
+            self.known.append(self.base.copy())
+        block, places = self.known[number], self.change.places
+        block[places] = self.start + share * self.change.by
+        return {name: block[part].reshape(shape) for name, (part, shape) in self.parts.items()}
 
 
 def _are_straight(*three: Tables) -> bool:

@@ -60,3 +60,13 @@ def test_where_a_number_can_be_no_larger_the_difference_is_taken_below(
     found, beside = (map.passage(force, state) for force in (1.0, 1.0 - 1e-6))
     scaled = (found.rate() - (found.end - beside.end) / 1e-6) / found.sizes
     assert abs(scaled).max() < 1e-4
+
+
+def test_motions_that_are_held_stay_while_others_are_followed(twin: Mechanism, state: np.ndarray) -> None:
+    """The tables of a value are written where those of another one were, but never where they are held."""
+    place = "plays.bridge.gap"
+    values = (twin.value(place) * np.linspace(0.8, 1.2, 12)).tolist()
+    map = DrivenMap(twin, place, values[0])
+    for value, held in [(value, map.passage(value, state)) for value in values]:
+        alone = DrivenMap(twin, place, value).passage(value, state)
+        assert held.sizes == pytest.approx(alone.sizes, rel=1e-9)
