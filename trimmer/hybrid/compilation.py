@@ -44,20 +44,33 @@ def kept(entry: Callable[..., Any]) -> Callable[..., Any]:
     that compile at the same time do not disturb each other, since files are written whole. Where nothing can
     be written, or a kept file is damaged, each process compiles for itself.
 
+    To look at the type of each array in each tuple takes Numba longer than a short motion. It does so once
+    for arguments of some classes; later ones of the same classes go straight to the machine code.
+
     Args:
-        entry: An entry point, whose arguments have the same types in each call. It makes no arrays.
+        entry: An entry point. It makes no arrays. Arguments of the same classes have the same types in each
+            call: arrays have one shape of axes, one kind of numbers, and lie without gaps in the order of C.
     """
     for_itself: Callable[..., Any] = numba.njit(**_LEAN)(entry)
     try:
-        machine: Callable[..., Any] = numba.njit(cache=True, **_LEAN)(entry)
+        machine: Any = numba.njit(cache=True, **_LEAN)(entry)
     except RuntimeError:  # There is no such folder.
         return for_itself
 
+    known: dict[tuple[type, ...], Callable[..., Any]] = {}
+
     @wraps(entry)
     def call(*arguments: Any) -> Any:
+        classes = tuple(map(type, arguments))
+        if classes in known:
+            return known[classes](*arguments)
         try:
-            return machine(*arguments)
+            result = machine(*arguments)
         except (OSError, EOFError, UnpicklingError):
             return for_itself(*arguments)
+        overload = machine.overloads.get(tuple(map(numba.typeof, arguments)))
+        if overload is not None:
+            known[classes] = overload.entry_point
+        return result
 
     return call
