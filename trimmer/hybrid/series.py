@@ -155,38 +155,21 @@ def _write_screen(function: int, target: ModeTables) -> None:
 
 
 @compiled
-def _add(term: Reals, weight: float, total: Reals) -> None:
-    """Add the moduli of terms, (n,), times a weight."""
-    for i in range(total.size):
-        total[i] += weight * abs(term[i])
-
-
-@compiled
-def _falls_short(reached: Reals, total: Reals) -> bool:
-    """Return whether a sum is not yet another to rounding in every entry, (n,)."""
-    short = 0
-    for i in range(total.size):
-        short += total[i] - reached[i] > REMAINDER * total[i]
-    return short > 0
-
-
-@compiled
 def _sufficient(terms: Reals, level: int) -> int:
     """Return how many of the terms give every entry of the flow to rounding, for fractions up to 4^-level.
 
-    The terms stand in the first K + 1 rows, (K + 3, N N); the others are room.
+    The terms stand in the first K + 1 rows, (2 K + 2, N N). The others are room for sums of their moduli.
     """
-    total, reached, used, weight = terms[COUNT], terms[COUNT + 1], 0, 1.0
-    for i in range(total.size):
-        total[i] = reached[i] = 0.0
+    size, used, weight = terms.shape[1], 1, 1.0
     for k in range(COUNT):
-        _add(terms[k], weight, total)
+        for i in range(size):
+            before = terms[COUNT + k - 1, i] if k > 0 else 0.0
+            terms[COUNT + k, i] = before + weight * abs(terms[k, i])
         weight *= 0.25**level
-    weight = 1.0
-    while used == 0 or (used < COUNT and _falls_short(reached, total)):
-        _add(terms[used], weight, reached)
-        weight *= 0.25**level
-        used += 1
+    for i in range(size):
+        total = terms[2 * COUNT - 1, i]
+        while used < COUNT and total - terms[COUNT + used - 1, i] > REMAINDER * total:
+            used += 1
     return used
 
 
@@ -227,5 +210,5 @@ def tabulate(flow: Reals, states: int, rows: Reals, target: ModeTables) -> float
         The length h of a step, s.
     """
     size = len(flow)
-    room, flat = np.empty((3, states, states)), np.zeros((COUNT + 2, size * size))
+    room, flat = np.empty((3, states, states)), np.zeros((2 * COUNT, size * size))
     return _compiled_entry(flow, rows, target, room, flat[:COUNT].reshape(COUNT, size, size), flat)
