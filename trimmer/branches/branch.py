@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.period_maps.period_map import Signature
 from trimmer.branches.special import SpecialPoint
 from trimmer.choices import Choice
+from trimmer.kept_property import cached_property
 
 NEUTRAL = 1e-9  # Distance from the unit circle that rounding can give a multiplier
 

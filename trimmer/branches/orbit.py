@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from trimmer.arrays import Complexes, Places, Reals
 from trimmer.branches.null_vector import normal_to
 from trimmer.branches.period_maps.period_map import Passage, PeriodMap
 from trimmer.errors import TrimmerError
+from trimmer.kept_property import cached_property
 from trimmer.motion.part import Phase
 
 MOST_ITERATIONS = 14

@@ -13,7 +13,6 @@ import cmath
 import math
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 import scipy.linalg
@@ -27,6 +26,7 @@ from trimmer.contact.modes.control_limits import first_control
 from trimmer.contact.modes.curves import segments_at
 from trimmer.contact.state.layout import Layout
 from trimmer.hybrid.clock import WITHIN
+from trimmer.kept_property import cached_property
 from trimmer.linear.margins import Margins, StandingStates, margins_of, standing_states
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.messages import listed

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -34,6 +33,7 @@ from trimmer.hybrid.affine_modes import Change, is_straight
 from trimmer.hybrid.stretch import Instant
 from trimmer.hybrid.system import ModeEquations, System
 from trimmer.hybrid.tables import Modes
+from trimmer.kept_property import cached_property
 from trimmer.mechanism import Mechanism
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.parts import COUPLINGS

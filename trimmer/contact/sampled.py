@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,7 @@ from trimmer.errors import MechanismError
 from trimmer.hybrid.clock import ABOVE, BELOW, WITHIN
 from trimmer.hybrid.system import Sampler
 from trimmer.hybrid.tables import Modes
+from trimmer.kept_property import cached_property
 from trimmer.mechanism.controls.controllers import DIFFERENCE
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.parts import OutputKind

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -36,6 +35,7 @@ from trimmer.hybrid.system import (
 from trimmer.hybrid.tables import UNKNOWN, Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.hybrid.work import ROWS, Log, work_for
+from trimmer.kept_property import cached_property
 from trimmer.progress import progress_bar
 
 if TYPE_CHECKING:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import ClassVar, Generic, NamedTuple, TypeVar
 
 import numpy as np
@@ -20,6 +19,7 @@ from trimmer.hybrid.series import ModeTables, tabulate
 from trimmer.hybrid.sparse import Rows, moduli_times, step_of, with_rows
 from trimmer.hybrid.system import ModeEquations, System
 from trimmer.hybrid.taylor import DEGREE, LEVELS, bernstein_from_taylor
+from trimmer.kept_property import cached_property
 
 UNKNOWN = -1  # In place of a mode to go on in: not tabulated yet
 NO_RESET = -1  # In place of the number of a reset: the state goes on

@@ -7,7 +7,6 @@ rows of its log the motion is linear, so it is known at all times.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -19,6 +18,7 @@ from trimmer.hybrid.system import NOTHING, OWN_KINDS
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.variation import propagated
 from trimmer.hybrid.work import Log
+from trimmer.kept_property import cached_property
 
 
 @dataclass(frozen=True, eq=False)

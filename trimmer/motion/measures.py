@@ -2,12 +2,12 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.hybrid.system import NOTHING
+from trimmer.kept_property import cached_property
 from trimmer.motion.course import Course
 from trimmer.motion.extremes import extremes
 from trimmer.motion.flow import Flow

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 
 from trimmer.choices import Choice
+from trimmer.kept_property import cached_property
 
 
 class Phase(Choice):

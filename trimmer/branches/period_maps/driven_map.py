@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import cast
 
 from trimmer.arrays import Reals
@@ -11,6 +10,7 @@ from trimmer.branches.period_maps.driven_passage import DrivenPassage
 from trimmer.branches.period_maps.flows import Flows
 from trimmer.errors import TrimmerError, UnsupportedMotionError
 from trimmer.hybrid.stretch import Ending, Instant
+from trimmer.kept_property import cached_property
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow

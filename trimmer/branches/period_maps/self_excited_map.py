@@ -8,7 +8,6 @@ plane is one across the motion, in the middle of a segment, where nothing happen
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 import scipy.optimize
@@ -20,6 +19,7 @@ from trimmer.branches.period_maps.strobe import Restart
 from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.calm import amid_longest, is_amid
 from trimmer.hybrid.system import NOTHING
+from trimmer.kept_property import cached_property
 from trimmer.motion.course import Course
 from trimmer.response.flows import flow_of
 

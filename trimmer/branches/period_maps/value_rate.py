@@ -6,7 +6,6 @@ A difference of two motions would be wrong wherever their events differ, as next
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -22,6 +21,7 @@ from trimmer.hybrid.tables import NO_RESET, Modes, Tables
 from trimmer.hybrid.taylor import DEGREE
 from trimmer.hybrid.variation import Jump, end_of_instant, identity, jumps
 from trimmer.hybrid.work import Log
+from trimmer.kept_property import cached_property
 from trimmer.motion.course import Course
 
 

@@ -1,7 +1,6 @@
 """A mechanism as the core asks for it: its modes, what follows its events, and what frictions at rest do."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from trimmer.contact.modes.transitions import transition
 from trimmer.contact.modes.walls import strike
 from trimmer.contact.state.layout import Layout
 from trimmer.hybrid.system import STRUCK, Clockwork, Decision, EventFunction, ModeEquations, Transition
+from trimmer.kept_property import cached_property
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from functools import cached_property
 
 import numpy as np
 
@@ -18,6 +17,7 @@ from trimmer.arrays import Complexes, Places, Reals
 from trimmer.contact.controllers.held import Held
 from trimmer.contact.state.frame import Frame
 from trimmer.contact.state.profiles import SOON, Profile
+from trimmer.kept_property import cached_property
 from trimmer.mechanism.drives import Drives
 
 SMALLEST_SHARE = 1e-4

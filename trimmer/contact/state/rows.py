@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from trimmer.arrays import Reals
 from trimmer.contact.state.layout import Layout
 from trimmer.contact.state.profiles import Profile
 from trimmer.contact.state.references import profile_of
+from trimmer.kept_property import cached_property
 from trimmer.mechanism.controls.references import RampReference, SineReference, StepReference
 from trimmer.mechanism.coordinates import Inertia, inertia_of, weights_of_ends
 from trimmer.mechanism.drives import waves_in, waves_of_sine

@@ -1,13 +1,13 @@
 """An exact periodic motion, stable or not."""
 
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import cast
 
 import numpy as np
 
 from trimmer.arrays import Complexes, Integers, Reals
 from trimmer.hybrid.stretch import Instant
+from trimmer.kept_property import cached_property
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow

@@ -8,13 +8,13 @@ return keeps to what is held.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.hybrid.calm import amid_longest, is_amid
 from trimmer.hybrid.stretch import Ending, Instant
+from trimmer.kept_property import cached_property
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.part import mirrored

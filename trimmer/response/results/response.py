@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
 from trimmer.choices import Choice
+from trimmer.kept_property import cached_property
 from trimmer.motion.measures import HARMONICS
 from trimmer.response.flows import flow_of
 from trimmer.response.statistics.estimate import Estimate
