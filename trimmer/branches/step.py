@@ -48,12 +48,12 @@ class Front:
     def moved(self, place: Place, tangent: Reals) -> Front:
         """Return the front at another place."""
         before = self.place if self.place.signature == place.signature else None
-        return replace(begun(self.problem, place, tangent), before=before)
+        return begun(self.problem, place, tangent, before)
 
 
-def begun(problem: Problem, place: Place, tangent: Reals) -> Front:
-    """Return the front at the beginning of a branch."""
-    return Front(problem, place, tangent, float(np.sign(place.orientation(tangent))))
+def begun(problem: Problem, place: Place, tangent: Reals, before: Place | None = None) -> Front:
+    """Return the front at the beginning of a branch, or behind another orbit of it."""
+    return Front(problem, place, tangent, float(np.sign(place.orientation(tangent))), before)
 
 
 @dataclass(frozen=True, eq=False)

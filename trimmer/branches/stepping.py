@@ -97,7 +97,7 @@ def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:
     front = _restarted(front)
     sizes = scales(front.place, largest)
     largest = np.maximum(largest, front.place.passage.sizes)
-    problem = replace(front.problem, sizes=sizes)
+    problem = Problem(front.problem.map, front.problem.span, sizes)
     tangent = front.tangent.copy()
     tangent[:-1] *= front.problem.sizes / sizes
     before = None if front.before is None else problem.adopted(front.before)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from trimmer.arrays import Reals
@@ -52,12 +50,14 @@ def instant_at(
         extended = at_gap(machine, wall, extended)
     if like is not None:
         held = modes[modes.number(like.statuses)].hold @ extended
-        return replace(like, state=held[: layout.state_count], periods=periods, phase=phase)
+        state = held[: layout.state_count]
+        return Instant(state, like.statuses, periods, phase, like.zeros, like.negligible)
     contacts = [_contact(machine, contact, extended, stretched) for contact in range(len(machine.stiffness))]
     negligible = 2.0**-56 * abs(machine.contact_distance @ extended)
     speeds = machine.friction_rate @ extended
     # A wave that turns back is at rest, although the cosine of its phase is rounding.
-    largest = np.concatenate([abs(extended[: layout.state_count]), np.ones(layout.forcing)])
+    largest = abs(extended)
+    largest[layout.state_count :] = 1.0
     sizes = abs(machine.friction_rate) @ largest
     slow = abs(speeds) <= AT_REST * sizes
     frictions = [
@@ -70,10 +70,10 @@ def instant_at(
         resting = reached & (abs(rates) <= AT_REST * (abs(machine.wall_rate) @ largest))
     limits = limits_at(machine, extended)
     statuses = (*contacts, *frictions, *segments_at(machine, extended), *limits, *walls)
-    at_rest = np.flatnonzero([*slow, *resting])
+    at_rest = [place for place, each in enumerate((*slow, *resting)) if each]
     zeros = np.zeros((len(statuses), modes.system.action_count), dtype=np.int64)
-    if len(at_rest):
-        statuses = decide(machine, statuses, extended, at_rest)
+    if at_rest:
+        statuses = decide(machine, statuses, extended, np.array(at_rest))
         held = held_parts(machine, statuses)
         begun = [part for part in machine.holds[at_rest].tolist() if part not in held]
         zeros[begun, ARRIVED] = 1
@@ -84,10 +84,10 @@ def instant_at(
 
 def _contact(machine: Machine, contact: int, extended: Reals, stretched: bool) -> int:
     """Return the status of a contact, and set the stretch of its spring if that is not given."""
-    z = machine.relaxing_state[contact]
+    z = int(machine.relaxing_state[contact])
     relaxes = z != NO_STATE
-    distance = machine.contact_distance[contact] @ extended
-    upper, lower = machine.offsets[contact]
+    distance = float(machine.contact_distance[contact] @ extended)
+    upper, lower = machine.offsets[contact].tolist()
     if machine.always[contact]:
         if relaxes:
             extended[z] = distance

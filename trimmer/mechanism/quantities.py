@@ -51,15 +51,20 @@ class NumberField:
             return "is too large: its angular frequency must be finite"
         if self.unit == "Hz" and 0 < number < _LOWEST:
             return "is too small: its period must be finite"
-        fits = {
-            Range.ANY: True,
-            Range.NOT_NEGATIVE: number >= 0,
-            Range.POSITIVE: number > 0,
-            Range.WHOLE: isinstance(number, int) and number >= 1,
-            Range.SHARE: 0 <= number <= 1,
-            Range.TO_INFINITY: number > 0,
-        }[self.range]
-        return "" if fits else f"must be {self.range.value}{self._in_unit}"
+        return "" if self._fits(number) else f"must be {self.range.value}{self._in_unit}"
+
+    def _fits(self, number: float) -> bool:
+        match self.range:
+            case Range.ANY:
+                return True
+            case Range.NOT_NEGATIVE:
+                return number >= 0
+            case Range.POSITIVE | Range.TO_INFINITY:
+                return number > 0
+            case Range.WHOLE:
+                return isinstance(number, int) and number >= 1
+            case Range.SHARE:
+                return 0 <= number <= 1
 
     def problems(self, place: tuple[str, ...], value: object) -> Iterator[Problem]:
         """Find what is wrong with a value at a place; None is one that is missing."""

@@ -142,10 +142,9 @@ class Course:
     @property
     def events(self) -> list[tuple[float, int, int]]:
         """Time, s, part and kind of each event that counts."""
-        rows = np.flatnonzero(self.log.kind != NOTHING)
-        return [
-            (float(self.log.start[row]), int(self.log.part[row]), int(self.log.kind[row])) for row in rows
-        ]
+        log, counts = self.log, self.log.kind != NOTHING
+        columns = (each[counts].tolist() for each in (log.start, log.part, log.kind))
+        return list(zip(*columns, strict=True))
 
 
 @dataclass(frozen=True, eq=False)

@@ -108,10 +108,9 @@ class DrivenMap:
         state = flow.reduced(state)
         begin = flow.at(state, self._phase(flow))
         course = self.course(flow, begin, duration)
-        final = self.returned(flow, course.end)
-        if final.statuses == begin.statuses:
+        if self.statuses_returned(flow, course.end) == begin.statuses:
             return begin, course
-        return self._repeated(flow, state, final, duration) or (begin, course)
+        return self._repeated(flow, state, self.returned(flow, course.end), duration) or (begin, course)
 
     def _repeated(
         self, flow: Flow, state: Reals, final: Instant, duration: float
@@ -122,7 +121,7 @@ class DrivenMap:
             course = self.course(flow, begin, duration)
         except UnsupportedMotionError:
             return None
-        return (begin, course) if self.returned(flow, course.end).statuses == final.statuses else None
+        return (begin, course) if self.statuses_returned(flow, course.end) == final.statuses else None
 
     def _phase(self, flow: Flow) -> float:
         """Return the time after the start of a drive period at which a passage begins, s."""
@@ -169,5 +168,9 @@ class DrivenMap:
         """Return an end as the beginning of the next passage."""
         if not self.mirrored:
             return end
-        statuses = mirrored(flow.parts, end.statuses)
+        statuses = self.statuses_returned(flow, end)
         return replace(end, state=flow.mirrored_states * end.state, statuses=statuses)
+
+    def statuses_returned(self, flow: Flow, end: Instant) -> tuple[int, ...]:
+        """Return the statuses at an end as those at the beginning of the next passage."""
+        return mirrored(flow.parts, end.statuses) if self.mirrored else end.statuses

@@ -71,6 +71,8 @@ def beyond_limit(statuses: tuple[int, ...], function: EventFunction, jumped: boo
 
 def limits_at(machine: Machine, state: Reals) -> tuple[int, ...]:
     """Return the status of each controller at an extended state, (N,)."""
+    if not len(machine.control_limit):
+        return ()
     demands = machine.control_demand @ state
     return tuple(
         AT_UPPER if demand > limit else AT_LOWER if demand < -limit else WITHIN

@@ -71,6 +71,8 @@ def beyond_knot(statuses: tuple[int, ...], function: EventFunction) -> Transitio
 
 def segments_at(machine: Machine, state: Reals) -> tuple[int, ...]:
     """Return the segment of each curve at an extended state, (N,)."""
+    if not len(machine.curve_over):
+        return ()
     values = machine.curve_over @ state
     return tuple(
         int(np.searchsorted(knots, value, side="right")) if len(knots) else 0
