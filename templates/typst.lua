@@ -124,7 +124,11 @@ local converters = {
   designer = call("designer"),
   ["do"] = content,
   ["do-not"] = content,
-  answer = call("answer"),
+  answer = function(div)
+    local title, rest = wrapped("#leading[", { div.content[1] }, "]"), { table.unpack(div.content, 2) }
+    title:extend(rest)
+    return wrapped("#answer[", title, "]")
+  end,
   partial = call("partial-report"),
   ["answer-side"] = function(div)
     return wrapped("#answer-side(" .. quoted(div.attributes.side) .. ")[", div.content, "]")

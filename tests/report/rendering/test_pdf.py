@@ -163,10 +163,11 @@ def test_a_formula_of_a_design_that_is_too_wide_is_set_small() -> None:
     "source",
     [
         '#leading[\nstable if\n\n] #numbered("")[$ "growth" < 0 $]',
+        '#answer[#leading[\nstable if\n\n] #answer-side("Right")[growth]]',
         "#report-table((1fr,), (left,), ([Head],), [stable if #parbreak() growth])",
     ],
 )
-def test_words_stay_with_their_formula_and_a_row_on_its_page(source: str, tmp_path: Path) -> None:
+def test_words_stay_with_what_they_lead_to_and_a_row_on_its_page(source: str, tmp_path: Path) -> None:
     fills = [f"#block(height: {height}pt) {source} #pagebreak()" for height in range(600, 710, 6)]
     path = tmp_path / "pages.pdf"
     path.write_bytes(
