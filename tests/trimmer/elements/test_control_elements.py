@@ -90,6 +90,12 @@ def test_one_without_a_formula_is_integrated() -> None:
     assert ControlElement(Cubic()).describing_function([2.0, 4.0]) == pytest.approx([3.0, 12.0], rel=1e-12)
 
 
+@pytest.mark.parametrize("limit", [1e-4, 1.0, 300.0])
+def test_its_scale_is_where_its_gain_bends(limit: float) -> None:
+    scale = ControlElement(control.saturation_nonlinearity(limit)).amplitude_scale
+    assert scale == pytest.approx(limit, rel=0.1)
+
+
 def test_something_else_is_refused() -> None:
     with pytest.raises(
         WrongTypeError, match=r"nonlinearity must be a control\.DescribingFunctionNonlinearity"

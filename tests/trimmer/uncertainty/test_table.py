@@ -46,6 +46,8 @@ def test_forms(line: str, distribution) -> None:
 
 def test_a_covariance_takes_its_means_from_the_file() -> None:
     places = '["bodies.motor.mass", "plays.bridge.gap"]'
+    large = 10**21  # Of no integer of a processor
+    assert read(f"covariance = {{ places = {places}, matrix = [[{large}, 0], [0, {large}]] }}").places
     uncertainty = read(f"covariance = {{ places = {places}, matrix = [[1e-6, 0], [0, 1e-12]] }}")
     assert uncertainty.places == ("bodies.motor.mass", "plays.bridge.gap")
     assert uncertainty.scatters[0].distribution == Normal(0.035, pytest.approx(1e-3))
