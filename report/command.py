@@ -35,8 +35,8 @@ def add_build_options(parser: ArgumentParser, directory: Path) -> None:
         type=folder_to_write,
         metavar="DIR",
         default=directory,
-        help="folder for report.html, report.pdf, cards.pdf, claims.json, errata.csv and build.log "
-        "(default: %(default)s)",
+        help="folder for report.html, report.pdf, cards.pdf, claims.json, errata.csv and what stands beside "
+        "them (default: %(default)s)",
     )
     add_form_options(parser, Format, "all", "; cards come with pdf; may be given several times")
     parser.add_argument(
@@ -44,7 +44,7 @@ def add_build_options(parser: ArgumentParser, directory: Path) -> None:
         type=file_to_read,
         metavar="OLD.json",
         help="claims.json of an earlier build, also that of the same folder: prints which claims are new or "
-        "gone, and whose verdict, severity, printed or derived side has changed",
+        "gone, and whose verdict, severity, printed or derived side or explanation has changed",
     )
     parser.add_argument("--open", action="store_true", help="open the HTML in the browser")
     add_overwrite_option(parser)
@@ -179,7 +179,7 @@ def _summary(built: Built) -> str:
     return "\n".join(
         (
             f"{len(verdicts)} claims{part} judged in {built.seconds:.1f} s: {counts}",
-            *(f"  {path}" for path in (*built.files.values(), built.log)),
+            *(f"  {path}" for path in (*built.files.values(), *built.beside)),
         )
     )
 

@@ -33,11 +33,11 @@ Content = Callable[[Progress, StageStore], Document]
 
 @dataclass(frozen=True)
 class Built:
-    """Result of a build: its document, the files, the log of the stages' times, and the time it took, s."""
+    """Result of a build."""
 
     document: Document
     files: Mapping[Format, Path]
-    log: Path
+    beside: tuple[Path, ...]  # What was written besides: the advice, the folder of listings, the log of times
     seconds: float
 
 
@@ -62,11 +62,14 @@ def build(directory: Path, request: Request = WHOLE_REPORT, content: Content | N
     document = select((content or _of_the_thesis)(progress, store), request.chapters)
     (files,) = progress.run("render", [document], lambda chosen: render(chosen, directory, request, store))
     write_files(document.programs, directory / OCTAVE)
+    listings = [directory / OCTAVE] if document.programs else []
+    advised = []
     if document.overview.opening is not None:
+        advised = [directory / ADVICE]
         write_atomically(directory / ADVICE, advice_json(document.overview.opening.advice))
-    log = directory / LOG
-    write_atomically(log, progress.log())
-    return Built(document, files, log, time.perf_counter() - started)
+    write_atomically(directory / LOG, progress.log())
+    beside = (*advised, *listings, directory / LOG)
+    return Built(document, files, beside, time.perf_counter() - started)
 
 
 def _of_the_thesis(progress: Progress, store: StageStore) -> Document:

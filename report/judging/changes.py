@@ -13,7 +13,7 @@ from trimmer.files import read_content
 from trimmer.json_data import DataError, parsed_json
 from trimmer.messages import shown_value
 
-COMPARED = ("verdict", "severity", "printed", "derived")
+COMPARED = ("verdict", "severity", "printed", "derived", "explanation")
 JUDGED = {"verdict", "severity"}
 SCHEMAS = (1, 2)
 ADDED = {"severity": 2}

@@ -73,6 +73,8 @@ def document(folder: Path, tmp_path: Path) -> Document:
 
 def test_a_text_of_ones_own_is_judged(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["judge", "mine", "--format", "html", "json", "--quiet"]) == 0
+    written = {f"  build/judge/{each}" for each in ("report.html", "claims.json", "build.log")}
+    assert set(capsys.readouterr().out.splitlines()[1:]) == written
     claims = json.loads((tmp_path / "build/judge/claims.json").read_text("utf-8"))["claims"]
     assert [(c["id"], c["verdict"]) for c in claims] == [("eq-1", "reproduced"), ("fig-1", "erratum")]
     assert claims[0]["source"] == "claims.py" and "confirmed by the exact orbit" in claims[0]["method"]

@@ -16,6 +16,7 @@ CLAIM = {
     "severity": "slip",
     "printed": "x",
     "derived": "y",
+    "explanation": "why",
 }
 
 
@@ -41,6 +42,7 @@ def test_the_same_claims_differ_in_nothing():
         ("severity", "none", "severity: slip → none"),
         ("printed", "z", "printed: x → z"),
         ("derived", "", "derived: y → (nothing)"),
+        ("explanation", "because", "explanation: why → because"),
         ("printed", "a\nb\x1b[2J", "printed: x → a b [2J"),
     ],
 )

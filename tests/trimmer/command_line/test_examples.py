@@ -128,6 +128,8 @@ def test_the_examples_of_the_report_run(
     whole, chapter, compared = COMMANDS["report"].examples
     assert main(whole.arguments) == 0
     page = tmp_path / "build" / "report" / "report.html"
+    told = {Path(line).name for line in capfd.readouterr().out.splitlines() if line.startswith("  ")}
+    assert told == {each.name for each in page.parent.iterdir() if not each.name.startswith(".")}
     kept = page.rename(tmp_path / "whole.html").as_uri()
     (tmp_path / "claims.json").write_bytes(page.with_name("claims.json").read_bytes())
     assert main(compared.arguments) == 0

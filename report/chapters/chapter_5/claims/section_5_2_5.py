@@ -56,7 +56,10 @@ def frequency_part(numbers: EquivalentNumbers) -> ClaimPart:
     """Return the part on the frequency as the listings give it, which the figure and the text share."""
     (cycle,), (less_force,) = numbers.rounded, numbers.rounded_less_force
     _, by_newton = limit_cycles.equivalent_as_listed(cycle, FORCE, SMALL_GAP, DRIVE_OMEGA)
-    slip = "0.15 N, the force of figure 5.21, is used instead of 0.6 N, and the last digit is cut off"
+    slip = (
+        "0.15 N, the force of figure 5.21, is used instead of 0.6 N, and the last digit is cut off; or the "
+        "solver stopped early"
+    )
     return digits(
         "frequency by Listings A.6 and A.9",
         PRINTED,
