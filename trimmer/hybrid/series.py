@@ -211,4 +211,5 @@ def tabulate(flow: Reals, states: int, rows: Reals, target: ModeTables) -> float
     """
     size = len(flow)
     room, flat = np.empty((3, states, states)), np.zeros((2 * COUNT, size * size))
-    return _compiled_entry(flow, rows, target, room, flat[:COUNT].reshape(COUNT, size, size), flat)
+    flow, terms = np.ascontiguousarray(flow), flat[:COUNT].reshape(COUNT, size, size)
+    return _compiled_entry(flow, rows, target, room, terms, flat)

@@ -7,11 +7,14 @@ import sys
 from pathlib import Path
 
 import numba
+import numpy as np
 import pytest
 from numba.core import caching
 
 import trimmer
 from trimmer.hybrid import compilation as compiled
+from trimmer.hybrid.series import COUNT, ModeTables, tabulate
+from trimmer.hybrid.taylor import LEVELS, bernstein_from_taylor
 
 IMPORT_ALONE = """
 import numba
@@ -89,3 +92,15 @@ def test_a_change_in_any_module_with_compiled_code_is_noticed(tmp_path: Path) ->
     (copied / "hybrid/segment.py").write_text((copied / "hybrid/segment.py").read_text() + "\n# changed\n")
     changed = subprocess.check_output([sys.executable, "-c", asked], cwd=tmp_path, text=True, timeout=120)
     assert changed.strip() not in ("", str(compiled.sources()))
+
+
+def test_the_order_in_memory_of_a_flow_does_not_matter() -> None:
+    """Machine code is entered by the classes of its arguments; it takes arrays to be in the order of C."""
+    flow, found = np.triu(np.arange(1.0, 10.0).reshape(3, 3)), list[np.ndarray]()
+    for order in (np.ascontiguousarray, np.asfortranarray):
+        shapes = (3, 3 + COUNT), (3, 3 * COUNT), LEVELS, (1, 3, COUNT), (1, COUNT, 3)
+        screen, series, terms, *others = (np.zeros(shape) for shape in shapes)
+        rooms = ModeTables(screen, series, terms.astype(np.int64), *others, bernstein_from_taylor())
+        tabulate(order(flow), 2, np.eye(1, 3), rooms)
+        found.append(series)
+    assert (found[0] == found[1]).all()
