@@ -113,6 +113,7 @@ WRONG = {
     transfer(denominator="[1, -2000]", sample="1e-3"): "has a root at s = 2/sample = 2000 1/s",
     reference("{ stop = 1 }"): "references.path: gives no step, ramp, sine or profile; did you mean step?",
     reference("{ step = 1, time = 2 }"): "references.path.time = 2: unknown key; 'step' may hold step and at",
+    reference("{ step = 1, at = -0.1 }"): "references.path.at = -0.1: must be zero or greater, in s",
     reference("{ sine = 1 }"): "references.path.frequency: missing; add frequency = 5.0",
     reference("{ step = '1 mm' }"): "references.path.step = '1 mm': 'mm' does not measure what rad does",
     reference("{ profile = [[1, 0], [1, 1]] }"): "references.path.profile.2.time = 1.0: the time must rise",

@@ -72,7 +72,7 @@ def numbers_of(
 def _of_reference(kind: type | None, unit: str) -> dict[str, NumberField]:
     value = _field(unit)
     if kind is StepReference:
-        return {"step": value, "at": TIME}
+        return {"step": value, "at": NumberField("s", "10 ms", Range.NOT_NEGATIVE)}
     if kind is RampReference:
         return {"ramp": _field(quotient(unit, "s")), "at": TIME}
     if kind is SineReference:
