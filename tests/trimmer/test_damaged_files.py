@@ -30,7 +30,9 @@ PARAMETERS = TrimmerParameters.thesis().to_toml().encode()
 SPREAD = PARAMETERS + b'\n[uncertainty]\nm1 = { normal = "2 %" }\ngap = { uniform = "10 %" }\n'
 RECORD = b"time [s],x [m]\n" + b"".join(b"%.4f,%.6f\n" % (at / 1000, at % 7 / 1e3) for at in range(40))
 CLAIM = {"id": "eq-2.8", "section": "2.1", "verdict": "reproduced", "severity": "none", "printed": "1"}
-CLAIMS = json.dumps({"schema": 2, "claims": [{**CLAIM, "derived": "1"}]}, indent=1).encode()
+CLAIMS = json.dumps(
+    {"schema": 2, "claims": [{**CLAIM, "derived": "1", "explanation": ""}]}, indent=1
+).encode()
 TEXT = "Chapter 1\nIt moves \N{GREEK SMALL LETTER OMEGA}.\n".encode() * 5
 NUMBERS = {"frequency": [1.0, 1.05], "stops.wall.gap": [8.0, 10.0]}
 

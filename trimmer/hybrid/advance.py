@@ -35,7 +35,6 @@ from trimmer.hybrid.system import (
 from trimmer.hybrid.tables import UNKNOWN, Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.hybrid.work import ROWS, Log, work_for
-from trimmer.kept_property import cached_property
 from trimmer.progress import progress_bar
 
 if TYPE_CHECKING:
@@ -135,6 +134,7 @@ class _Integration:
         self.cascade: int
         self.cascade_at: tuple[int, float] | None = None
         self.continued: list[int] = []
+        self.instants: Instants | None = None
 
     def _take(self, instant: Instant) -> None:
         free = self.modes.system.layout.state_count
@@ -159,7 +159,7 @@ class _Integration:
             while True:
                 now = min(left, AT_ONCE)
                 tables, work = self._tables()
-                clock = self._clock()
+                clock = self._clock(most_events)
                 reason, place = integrate(tables, clock, work, self.log, place._replace(steps_left=now), task)
                 self.mode, left = place.mode, left - (now - place.steps_left)
                 if reason == STEP_LIMIT and left > 0:
@@ -194,16 +194,24 @@ class _Integration:
             )
         return tables, self.work
 
-    def _clock(self) -> Clock | None:
+    def _clock(self, most_events: int) -> Clock | None:
         """Return what is due in each period at known times, None for nothing."""
         samplings = self.modes.samplings
-        return None if samplings is None else samplings.clock._replace(**self.instants._asdict())
+        if samplings is None:
+            return None
+        if self.instants is None:
+            self.instants = self._instants(most_events)
+        return samplings.clock._replace(**self.instants._asdict())
 
-    @cached_property
-    def instants(self) -> Instants:
-        """When something is due in each period; those of a period that is forced as others are the same."""
+    def _instants(self, most_events: int) -> Instants:
+        """Return when something is due in each period; each is forced as the others are.
+
+        What comes after the greatest number of events is left out, which are too many to be listed.
+        """
         clockwork, instant, layout = self.modes.system.clockwork, self.instant, self.modes.system.layout
-        return instants(clockwork.samplers, layout.clock(instant.periods, instant.phase), self.length)
+        fastest = min(each.sample for each in clockwork.samplers)
+        length = min(self.length, (most_events + 2) * fastest) if self.keeps else self.length
+        return instants(clockwork.samplers, layout.clock(instant.periods, instant.phase), length)
 
     def _ending(self, reason: int, place: Place, most_events: int) -> Ending | None:
         """Return why the motion ends, None if it goes on."""

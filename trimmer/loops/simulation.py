@@ -23,6 +23,7 @@ OUTCOMES = {
     Ending.DIVERGED: Outcome.DIVERGED,
     Ending.STEP_LIMIT: Outcome.STEP_LIMIT,
 }
+MOST_EVENTS = 4_000_000  # Events of one motion if no number is given: about a GB with a dozen states
 MOST_STEPS = 50_000_000  # Steps of one motion if no number is given: about a minute
 LARGEST_COUNT = 2**62
 """Upper limit of a number of events or steps, which must fit into 64 bits in the compiled code."""
@@ -47,7 +48,7 @@ def simulate_loop(  # noqa: PLR0913
     initial_state: ArrayLike | None = None,
     impulse: float = 0.0,
     element_output: float = 0.0,
-    event_limit: int = 1_000_000,
+    event_limit: int = MOST_EVENTS,
     step_limit: int = MOST_STEPS,
     begin: Instant | None = None,
 ) -> LoopMotion:

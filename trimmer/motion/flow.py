@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.hybrid.advance import MOST_STEPS, advance
+from trimmer.hybrid.advance import MOST_EVENTS, MOST_STEPS, advance
 from trimmer.hybrid.clock import TICKED
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.hybrid.system import ModeEquations, System
@@ -258,11 +258,18 @@ class Flow(ABC):
         parts, end, ending = self._periods(instant, periods, most_steps)
         return self._joined(instant, end, ending, parts)
 
-    def timed(self, instant: Instant, duration: float, most_steps: int = MOST_STEPS) -> Course:
+    def timed(
+        self,
+        instant: Instant,
+        duration: float,
+        most_steps: int = MOST_STEPS,
+        most_events: int = MOST_EVENTS,
+    ) -> Course:
         """Go on for a duration, s, and keep the motion; without a drive there are no periods."""
         begin, end, ending, logs = 0.0, instant, Ending.REACHED_END, list[Log]()
         for until in (*self._breaks(instant, duration), duration):
-            parts, end, ending = self._until(end, until - begin, most_steps)
+            most = most_steps, most_events - _events(logs)
+            parts, end, ending = self._until(end, until - begin, *most)
             logs += [each._replace(start=each.start + begin) for each in parts] if begin else parts
             begin = until
             if ending is not Ending.REACHED_END:
@@ -289,30 +296,36 @@ class Flow(ABC):
         times = (each - now for each in self.modes.system.layout.breaks)
         return [each for each in times if 0.0 < each < duration]
 
-    def _until(self, instant: Instant, duration: float, most_steps: int) -> tuple[list[Log], Instant, Ending]:
+    def _until(
+        self, instant: Instant, duration: float, most_steps: int, most_events: int
+    ) -> tuple[list[Log], Instant, Ending]:
         """Go on for a duration, s, in which what forces the states keeps its course."""
         system = self.modes.system
         if not self.period or (system.clockwork is not None and not len(system.layout.orders)):
-            stretch = advance(self.modes, instant, 1, duration, True, most_steps)
+            stretch = advance(self.modes, instant, 1, duration, True, most_steps, most_events=most_events)
             return [stretch.log], stretch.end, stretch.ending
         whole = int(duration / self.period)
-        parts, end, ending = self._periods(instant, whole, most_steps)
+        parts, end, ending = self._periods(instant, whole, most_steps, most_events)
         rest = duration - whole * self.period
         if ending is Ending.REACHED_END and rest > 0:
-            stretch = advance(self.modes, end, 1, rest, True, most_steps)
+            left = most_events - _events(parts)
+            stretch = advance(self.modes, end, 1, rest, True, most_steps, most_events=left)
             parts.append(stretch.log._replace(start=stretch.log.start + whole * self.period))
             end, ending = stretch.end, stretch.ending
         return parts, end, ending
 
-    def _periods(self, instant: Instant, periods: int, most_steps: int) -> tuple[list[Log], Instant, Ending]:
+    def _periods(
+        self, instant: Instant, periods: int, most_steps: int, most_events: int = MOST_EVENTS
+    ) -> tuple[list[Log], Instant, Ending]:
         """Go on for whole periods; returns the logs of the motion, its end, and why it ends."""
-        logs, end, ending = list[Log](), instant, Ending.REACHED_END
+        logs, end, ending, left = list[Log](), instant, Ending.REACHED_END, most_events
         done, count = 0, 1
         while done < periods and ending is Ending.REACHED_END:
             # What moves on for ever forces each period in a way of its own.
             count = 1 if self.modes.system.layout.drifts else min(count, periods - done)
-            stretch = advance(self.modes, end, count, self.period, True, most_steps, done)
+            stretch = advance(self.modes, end, count, self.period, True, most_steps, done, most_events=left)
             logs.append(stretch.log)
+            left -= _events(logs[-1:])
             end, ending, done = stretch.end, stretch.ending, done + count
             count = max(min(2 * count, count * BLOCK // max(stretch.steps, 1)), 1)
         return logs, end, ending
@@ -324,6 +337,11 @@ class Flow(ABC):
         if duration is None or ending is not Ending.REACHED_END:
             duration = (end.periods - begin.periods) * self.period + end.phase - begin.phase
         return Course(self.modes, begin, end, ending, float(duration), log)
+
+
+def _events(logs: list[Log]) -> int:
+    """Return how many events some logs have, without the start of each."""
+    return sum(len(each.start) - 1 for each in logs)
 
 
 def signals_of(flow: Flow) -> Mapping[str, Readout]:

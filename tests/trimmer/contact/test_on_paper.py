@@ -69,6 +69,10 @@ def test_a_motion_that_takes_too_many_steps_ends_where_they_end() -> None:
     assert (cut.success, cut.message) == (False, "it took more steps than allowed")
     assert 0.0 < cut.duration < 0.5
     assert cut.states(cut.duration) == pytest.approx(whole.states(cut.duration), rel=1e-12)
+    few = simulate(bouncing(), 2.2, event_limit=3)
+    assert (few.outcome, few.message) == (Ending.EVENT_LIMIT, "it has more events than allowed")
+    assert few.events == whole.events[:2]  # The start of a drive period counts too.
+    assert few.states(few.duration) == pytest.approx(whole.states(few.duration), rel=1e-12)
     beyond = simulate(bouncing(start={"body": (1e160, 0.0)}), 1.0)
     assert (beyond.success, beyond.outcome) == (False, Ending.DIVERGED)
 

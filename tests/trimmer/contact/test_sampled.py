@@ -11,6 +11,7 @@ from scipy.linalg import expm
 from tests.mechanisms.sampled import SampledControl, instants
 from tests.quick import quick
 from tests.trimmer.problem_machines import machine_text
+from tests.trimmer.response.mechanisms import example
 from trimmer import (
     Body,
     FollowSettings,
@@ -327,3 +328,13 @@ def test_what_sticks_at_first_is_no_slow_motion_beside_which_samples_are_too_sho
     times = np.linspace(0.0, 0.5, 51)
     one, other = (simulate(each, 0.5).signal("y", times) for each in (stuck, glued))
     np.testing.assert_allclose(one, other, rtol=0, atol=1e-13)
+
+
+def test_a_motion_of_too_many_samples_ends_where_it_was_limited() -> None:
+    """Those of the whole duration are too many to be listed."""
+    axis = example("sampled-axis")
+    cut, whole = simulate(axis, 1e9, event_limit=100), simulate(axis, 1.0)
+    assert (cut.success, cut.message) == (False, "it has more events than allowed")
+    assert 0.01 < cut.duration < 0.2
+    times = np.linspace(0.0, 0.999 * cut.duration, 50)
+    assert cut.states(times) == pytest.approx(whole.states(times), rel=1e-12)

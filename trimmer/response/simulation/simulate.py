@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from trimmer.response.starts import Start
 
 MOST_STEPS = 20_000_000  # Steps of one simulation, if no number is given: some ten seconds
+MOST_EVENTS = 4_000_000  # Events of one, if no number is given: about a GB with a dozen states
 
 
 @overload
@@ -31,18 +32,24 @@ def simulate(
     initial_state: ArrayLike | None = None,
     impulse: float = 0.0,
     element_output: float = 0.0,
-    event_limit: int = 1_000_000,
+    event_limit: int = MOST_EVENTS,
     step_limit: int = MOST_STEPS,
 ) -> LoopMotion: ...
 @overload
 def simulate(
-    loop: Mechanism, duration: float, *, state: Start = None, step_limit: int = MOST_STEPS
+    loop: Mechanism,
+    duration: float,
+    *,
+    state: Start = None,
+    event_limit: int = MOST_EVENTS,
+    step_limit: int = MOST_STEPS,
 ) -> MechanismMotion: ...
 def simulate(
     loop: Loop | Mechanism,
     duration: float,
     *,
     state: Start = None,
+    event_limit: int = MOST_EVENTS,
     step_limit: int = MOST_STEPS,
     **of_loops: object,
 ) -> LoopMotion | MechanismMotion:
@@ -57,9 +64,9 @@ def simulate(
         state: Where it begins at t = 0: displacement, m, and velocity, m/s, by body, or states of a loop by
             name; or all states, (n,), or of a loop those of its linear system; rest, or its own start, if not
             given.
+        event_limit: Greatest number of events; of a mechanism also of samples and drive periods.
         step_limit: Greatest number of steps between events.
-        **of_loops: Of a loop: ``event_limit``, and in place of ``state``, ``initial_state``, ``impulse`` and
-            ``element_output``.
+        **of_loops: Of a loop, in place of ``state``: ``initial_state``, ``impulse`` and ``element_output``.
 
     Returns:
         The motion. It ends early, and its ``outcome`` says why, if events accumulate, if it grows without
@@ -73,11 +80,12 @@ def simulate(
     if isinstance(loop, Mechanism):
         if of_loops:
             raise TypeError(f"{next(iter(of_loops))} is an argument for loops; give the state of a mechanism")
-        return _of_mechanism(loop, duration, state, step_limit)
+        return _of_mechanism(loop, duration, state, event_limit, step_limit)
     from trimmer.loops.simulation import simulate_loop
 
     begin = _begin_of_loop(loop, state, of_loops)
-    return simulate_loop(loop, duration, begin=begin, step_limit=step_limit, **of_loops)  # type: ignore[arg-type]
+    limits = {"event_limit": event_limit, "step_limit": step_limit}
+    return simulate_loop(loop, duration, begin=begin, **limits, **of_loops)  # type: ignore[arg-type]
 
 
 def _begin_of_loop(loop: Loop, state: Start, others: Mapping[str, object]) -> Instant | None:
@@ -90,12 +98,14 @@ def _begin_of_loop(loop: Loop, state: Start, others: Mapping[str, object]) -> In
     require_loop(loop)
     if state is None and not isinstance(loop, Feedback):
         return None
-    for name in others.keys() - {"event_limit"}:
+    for name in others:
         raise TypeError(f"{name} is no argument beside a state, or of a Feedback; give its state alone")
     return instant_of(LoopFlow(loop), state)
 
 
-def _of_mechanism(mechanism: Mechanism, duration: float, state: Start, step_limit: int) -> MechanismMotion:
+def _of_mechanism(
+    mechanism: Mechanism, duration: float, state: Start, event_limit: int, step_limit: int
+) -> MechanismMotion:
     from trimmer.contact.flow import MechanismFlow
     from trimmer.response.simulation.motion import MechanismMotion
     from trimmer.response.starts import instant_of
@@ -103,5 +113,5 @@ def _of_mechanism(mechanism: Mechanism, duration: float, state: Start, step_limi
     if not 0 < real_number("duration", duration, "s") < math.inf:
         raise ValueError(f"duration must be positive and finite (s), not {duration!r}")
     flow = MechanismFlow(mechanism)
-    steps = whole_number("step_limit", step_limit, 1)
-    return MechanismMotion(flow, flow.timed(instant_of(flow, state), float(duration), steps))
+    events, steps = whole_number("event_limit", event_limit, 1), whole_number("step_limit", step_limit, 1)
+    return MechanismMotion(flow, flow.timed(instant_of(flow, state), float(duration), steps, events))

@@ -20,6 +20,7 @@ from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Table, attributes
 
 SEEN = 1.5  # Share of the time until nothing moves any more that is shown of a motion that comes to rest
+MOST_EVENTS = 400_000  # Events and samples of a motion of a given length: some 2 GB to look at
 CLOSE = 2e-3  # Share of the step within which an output counts as still
 
 
@@ -154,7 +155,7 @@ def step_response(
         mean = end.mean if known else settled.mean.get(output, end.mean)
         amplitude = end.amplitude
     else:
-        course, amplitude = flow.timed(flow.rest(), duration), None
+        course, amplitude = flow.timed(flow.rest(), duration, most_events=MOST_EVENTS), None
         if settles_to.kind is MotionKind.PERIODIC:
             mean = settled.mean.get(output)
     hunting = _hunting(mechanism, settles_to, output, amplitude)
