@@ -103,6 +103,7 @@ WRONG = {
     axis(measure='"torque"'): "axis.measure = 'torque': an algebraic loop, 'axis' -> 'torque' -> 'axis'",
     cascade(speed='"difference"'): "axis.speed = 'difference': a difference is that of two samples",
     cascade(speed='"shaking"'): "controllers.axis.speed = 'shaking': an algebraic loop",
+    cascade(speed='"angle"'): "controllers.axis.speed = 'angle': it is a displacement, as what is",
     cascade(measure='"rate"'): "controllers.axis.speed: missing; 'rate' is no displacement",
     cascade(ti="0"): "controllers.axis.ti = 0: must be greater than zero, in s",
     transfer(numerator="[1, 2, 3]"): "controllers.axis.numerator = [1, 2, 3]: improper: it has the degree 2",

@@ -156,13 +156,14 @@ def _speed(content: Mapping[str, Any], name: str, controller: Controller) -> Ite
         if controller.sample is None:
             reason = "a difference is that of two samples; give a sample, or name an output"
             yield Problem(place, reason, controller.speed)
-    elif controller.speed is None and controller.measure in content["outputs"]:
-        kind = OutputKind.chosen(content["outputs"][controller.measure].kind, "kind")
-        if kind is not OutputKind.DISPLACEMENT:
-            reason = (
-                f"missing; {controller.measure!r} is no displacement, so name the output that is the speed"
-            )
-            yield Problem(place, reason)
+        return
+    kinds = {name: OutputKind.chosen(each.kind, "kind") for name, each in content["outputs"].items()}
+    displaces = kinds.get(controller.measure) is OutputKind.DISPLACEMENT
+    if controller.speed is None and controller.measure in kinds and not displaces:
+        reason = f"missing; {controller.measure!r} is no displacement, so name the output that is the speed"
+        yield Problem(place, reason)
+    elif displaces and kinds.get(controller.speed or "") is OutputKind.DISPLACEMENT:
+        yield Problem(place, "it is a displacement, as what is measured; name a velocity", controller.speed)
 
 
 def _algebraic(content: Mapping[str, Any], name: str, controller: Controller) -> Iterator[Problem]:
