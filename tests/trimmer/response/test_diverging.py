@@ -8,7 +8,7 @@ import pytest
 from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.trimmer.response.mechanisms import body
 from trimmer import Mechanism, MotionKind, OrbitNotFoundError, forced_orbit, motion_map, respond
-from trimmer.mechanism import Force, Friction, Link, Output, Pin, Play
+from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play
 from trimmer.response.results.response_json import response_json
 from trimmer.response.statistics.growth import grew
 
@@ -109,6 +109,21 @@ def test_a_resonance_that_meets_a_stop_is_bounded() -> None:
     held = resonant(plays={"slot": Play(("ground", "body"), 2e3, 20.0, 0.5)})
     response = respond(held)
     assert response.kind in (MotionKind.PERIODIC, MotionKind.CHAOTIC)
+
+
+@pytest.mark.parametrize("frequency", [2.0, None])
+def test_what_drifts_through_a_wide_gap_does_not_diverge(frequency: float | None) -> None:
+    """It grows in proportion to the time, and meets the other side after half a million seconds."""
+    slot = Play(("ground", "body"), stiffness=1e3, damping=5.0, gap=1e3)
+    drifts = Mechanism(
+        {"body": Body(1.0), "beside": Body(1.0)},
+        links={"spring": Link(("ground", "beside"), stiffness=30.0, damping=1.0)},
+        plays={"slot": slot},
+        forces={"push": Force("beside", amplitude=1.0)} if frequency else {},
+        frequency=frequency,
+        start={"body": (0.0, 1e-3)},
+    )
+    assert respond(drifts).kind is MotionKind.UNDECIDED
 
 
 def test_a_map_names_what_diverges() -> None:

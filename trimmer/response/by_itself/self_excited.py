@@ -19,7 +19,7 @@ from trimmer.response.by_itself.returns import Returns
 from trimmer.response.periodic.orbit import Orbit
 from trimmer.response.results.response import MotionKind
 from trimmer.response.settling.solved import Solved, solved
-from trimmer.response.statistics.growth import grew, state_sizes
+from trimmer.response.statistics.growth import grew, nears_event, state_sizes
 from trimmer.response.without_events.linear_motion import grows_for_ever, linear_motion
 from trimmer.response.without_events.rest import Rest, at_rest
 
@@ -93,7 +93,9 @@ def self_excited(flow: Flow, instant: Instant, most_periods: int | None = None) 
     if slow is not None:
         return SelfExcited(waited, slow, slowly=True)
     unstable = next((each for each in known if not each.stable and not each.neutral), None)
-    if unstable is None and not returns[-1].chaotic and grew(reached):
+    last = returns[-1].course
+    drifts = not last.events and nears_event(flow, last.begin, last.end)
+    if unstable is None and not returns[-1].chaotic and not drifts and grew(reached):
         raise DivergingMotionError(
             f"it diverges: until {waited:.6g} s it grew in proportion to the time or faster, and nothing "
             "held it"

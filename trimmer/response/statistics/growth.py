@@ -57,8 +57,22 @@ def grows(flow: Flow, end: Instant, states: Reals, age: int) -> bool:
     strobe = flow.strobe(end, (OLDER - 1) * age)
     if strobe.ending is not Ending.REACHED_END:
         return strobe.ending is Ending.DIVERGED
+    if not strobe.counts.any() and nears_event(flow, end, strobe.end):
+        return False
     later = state_sizes(flow, flow.reduced(strobe.states[-block:]))
     return bool((later[growing] >= PROPORTIONAL * OLDER * last[growing]).any())
+
+
+def nears_event(flow: Flow, begin: Instant, end: Instant) -> bool:
+    """Say whether a motion came nearer to an event on its way between two instants in one mode.
+
+    So a body drifts through a wide gap: it goes in proportion to the time, until it meets its other side.
+    """
+    if begin.statuses != end.statuses:
+        return True
+    mode, forcing = flow.modes[flow.modes.number(end.statuses)], flow.modes.system.layout.forcing_at
+    first, last = (np.concatenate([each.state, forcing(each.phase)]) for each in (begin, end))
+    return any(function.row @ (last - first) < 0 for function in mode.functions)
 
 
 def grew(reached: Sequence[tuple[float, Reals]]) -> bool:
