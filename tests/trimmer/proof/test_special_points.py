@@ -138,7 +138,7 @@ def test_all_folds_and_doublings_of_a_dead_zone_are_proven() -> None:
     assert all(proofs)
 
 
-@pytest.mark.parametrize("factor", [1 + 3e-6, 1 - 3e-6])
+@pytest.mark.parametrize("factor", quick([1 + 3e-6, 1 - 3e-6], 0))
 def test_one_that_was_moved_is_refuted(factor: float) -> None:
     branch, doubling = found("doubling")
     moved = replace(doubling, value=doubling.value * factor)
