@@ -259,7 +259,7 @@ class BallMotion:
             ends.append(z)
             lates.append(late)
         back = (self.mirror * ends[-1]).entries()[:n]
-        change = (self.mirror * block(columns, size)).tolist()
+        change = (self.mirror * arb_mat(columns.tolist()[:size])).tolist()
         return Followed(starts, ends, lates, back, [row[:unknowns] for row in change[:n]])
 
     def _first(self, unknown: list[arb], unknowns: int) -> tuple[arb_mat, arb_mat]:
