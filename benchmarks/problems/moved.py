@@ -49,6 +49,8 @@ def bounds_of(problem: Problem, digit: Digit, theorem: str) -> Bounds | None:
         return (-found[1], -found[0]) if found and digit.ours[-1] == "minus" else found
     if key == "events":
         return _of_events(problem, digit, theorem)
+    if "references" not in tomllib.loads(problem.machine):
+        return None
     output, size, at = _step(problem)
     largest, end = (_read(theorem, output, name) for name in ("largest", "at the end"))
     zeros = [_zeros(theorem, name) for name in readings_of(problem, digit)[1:]]

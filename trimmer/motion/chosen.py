@@ -49,9 +49,9 @@ def chosen_measure(flow: Flow, key: str) -> ChosenMeasure:
     ``outputs.NAME.lines.P/K``, the amplitude at P/K of the drive.
     """
     known = {each.key: each for each in _known(flow)}
-    names = parse_place(key)
-    if key in known:
+    if key in known:  # As it stands, with whatever is in the names.
         return known[key]
+    names = parse_place(key)
     match names:
         case ("outputs", name, "harmonics", order) if name in flow.outputs and order.isdecimal():
             if 1 <= int(order) <= HARMONICS:

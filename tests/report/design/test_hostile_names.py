@@ -2,6 +2,7 @@
 
 import dataclasses
 import re
+import struct
 import subprocess
 from collections.abc import Iterator, Mapping
 from html import unescape
@@ -314,7 +315,10 @@ def test_a_report_on_a_hostile_file_asks_for_nothing_and_holds_no_file(
         return subprocess.run([*command], capture_output=True, text=True, check=True).stdout
 
     pdf = str(files[Format.PDF])
-    assert len(told("pdfimages", "-list", pdf).splitlines()) == 2, "a head and no picture"
+    pixels = struct.unpack(">II", (tmp_path / "secret.png").read_bytes()[16:24])
+    # Maps have pictures of their own, such as the bar of their colours.
+    pictures = [line.split()[3:5] for line in told("pdfimages", "-list", pdf).splitlines()[2:]]
+    assert [*map(str, pixels)] not in pictures
     assert told("pdfdetach", "-list", pdf).startswith("0 ")
     pages = told("pdftotext", "-layout", pdf, "-")
     assert "secret words" not in pages

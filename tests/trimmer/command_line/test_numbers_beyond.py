@@ -17,6 +17,7 @@ from trimmer.command_line.parser import WRONG_USE, as_option
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 TWIN, SCATTER = str(EXAMPLES / "thesis-play.toml"), str(EXAMPLES / "scatter.toml")
+SERVO, PROOF = str(EXAMPLES / "two-mass-servo.toml"), str(EXAMPLES / "proofs" / "delayed-relay.json")
 VALUES = ("0", "-1", "nan", "inf", "1e308", "1e-308", "5e-324")
 SLOWEST = 20.0  # Processor time, s, of the slowest answer; kernels may have to be compiled
 
@@ -25,7 +26,7 @@ DRIVEN = "simulate --drive 110 --amplitude 1e-3"
 BRANCH = f"follow {TWIN} --points 5 --wait 30 --vary frictions.blade.force"
 RECORD = "record.csv"
 WORDS = [
-    *(f"{command} {words}" for command in ("limit-cycles", "orbits") for words in (
+    *(f"{command} {words}" for command in ("limit-cycles", "orbits", f"spectrum {RECORD}") for words in (
         "--element friction --gap X", "--element viscous --gap 4e-5 --time-constant X",
         "--element relay --force X", "--element relay --force 1 --hysteresis X",
         "--element relay --force 1 --dead-zone X", "--element saturation --threshold X",
@@ -39,6 +40,7 @@ WORDS = [
         "follow --points 3 --wait 30 --vary frequency --from 110 --to 111",
         "map --jobs 1 --periods 5 --vary frequency=110:111:2",
         "sample --parameters p.toml --count 2 --periods 5 --jobs 1",
+        "sweep --steps 2 --periods 5 --vary frequency --from 110 --to 111", f"overlay {RECORD}",
     ) for words in (
         f"{PLAY} --amplitude 1e-3 --drive X", f"{PLAY} --drive 110 --amplitude X",
         *(f"--drive 110 --amplitude 1e-3 --element {element} X" for element in (
@@ -85,6 +87,11 @@ WORDS = [
     *(f"fit {TWIN} {RECORD} --free plays.bridge.gap {words} X" for words in (
         "--rate", "--from", "--until", "--drive", "--starts 2 --seed", "--channel", "--time", "--column",
     )),
+    *(f"sweep {PLAY} --amplitude 1e-3 --vary frequency --from 110 --to 111 {words} X" for words in (
+        "--drive 110 --periods 5 --steps", "--drive 110 --steps 2 --periods",
+        "--drive 110 --steps 2 --periods 5 --impulse",
+    )),
+    f"spectrum {RECORD} --mains X", f"step {SERVO} --duration X", f"check {PROOF} --limit X",
     f"compare {TWIN} {SCATTER} --jobs X", f"design {TWIN} --jobs X",
 ]  # fmt: skip
 """Commands, with X in the place of a number."""

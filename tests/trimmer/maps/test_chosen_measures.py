@@ -1,5 +1,6 @@
 """Measures by their keys: those of the JSON of a response, in maps and on branches; what there is not."""
 
+from dataclasses import replace
 from functools import reduce
 from operator import getitem
 from typing import Any
@@ -14,6 +15,7 @@ from trimmer.motion.measures import Measures
 from trimmer.response.flows import flow_of
 from trimmer.response.results.response_json import response_json
 
+NASTY = 'a "b" = {c}.d'
 KEYS = [
     *(f"outputs.stroke.{each}" for each in ("peak_to_peak", "rms", "mean", "advance")),
     "bodies.motor.rms_acceleration",
@@ -72,3 +74,11 @@ def test_maps_and_branches_measure_what_is_asked_for() -> None:
 def test_what_is_not_measured_is_refused(key: str, sentence: str) -> None:
     with pytest.raises(ChoiceError, match=sentence):
         motion_map(twin(1.0), {"frequency": [110.0]}, measures=[key])
+
+
+def test_a_name_of_any_letters_stands_in_a_key_as_it_is() -> None:
+    moving = example("oscillator-stop")
+    output = next(iter(moving.outputs.values()))
+    named = replace(moving, outputs={NASTY: output})
+    chosen = chosen_measure(flow_of(named), f"outputs.{NASTY}.rms")
+    assert chosen.of(respond(named).motion.measures) > 0
