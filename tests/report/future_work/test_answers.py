@@ -95,11 +95,13 @@ def test_limit_cycles_come_out_again():
 
 @pytest.mark.slow
 def test_what_is_dear_comes_out_again():
-    for row in compensation.orbit_rows(1.25):
-        alike(row, *kept(compensation.COMPENSATION, "too much", 1.25))
-    found = second_play.seat_rows(0.2)
-    for row, then in zip(found, kept(second_play.SECOND_PLAY, "loop", 0.2), strict=True):
-        alike(row, then)
+    then = kept(compensation.COMPENSATION, "too much", 1.25)
+    for row, before in zip(compensation.orbit_rows(1.25), then, strict=True):
+        alike(row, before)
+    for row, before in zip(
+        second_play.seat_rows(0.2), kept(second_play.SECOND_PLAY, "loop", 0.2), strict=True
+    ):
+        alike(row, before)
     alike(
         compensation.motion_row(compensation.fed_forward(0.5), 0.5, "pin"),
         *kept(compensation.COMPENSATION, "twin", 0.5, "pin"),
