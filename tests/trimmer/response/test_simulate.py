@@ -9,7 +9,7 @@ import pytest
 from tests.quick import quick
 from tests.trimmer.response.mechanisms import example, twin
 from trimmer import Body, ContactLaw, Force, Link, Mechanism, MechanismError, Stop, simulate
-from trimmer.mechanism import Wall
+from trimmer.mechanism import Output, Wall
 
 LAWS = list(ContactLaw)
 NAMES = ("thesis-play", "second-play", "foil-shaver", "held", "servo", "den-hartog", "thesis", "gear-pair")
@@ -28,6 +28,17 @@ def test_the_energy_balance_closes_to_rounding(name: str, law: ContactLaw) -> No
     assert (
         min([*energy.dampers.values(), *energy.contacts.values(), *energy.frictions.values(), 0.0]) > -1e-15
     )
+
+
+def test_what_a_belt_travels_is_in_outputs_and_displacements() -> None:
+    outputs = {"belt": Output({"belt": 1.0}), "slip": Output({"block": 1.0, "belt": -1.0})}
+    belt = dataclasses.replace(example("block-on-belt"), outputs=outputs)
+    motion, times = simulate(belt, 20.0), np.linspace(0.0, 20.0, 7)
+    travelled = belt.pins["belt"].velocity * times
+    for read in (motion.signal, motion.output, motion.displacement):
+        np.testing.assert_allclose(read("belt", times), travelled, rtol=1e-15)
+    block = motion.displacement("block", times)
+    np.testing.assert_allclose(motion.signal("slip", times), block - travelled, rtol=1e-13)
 
 
 def test_the_block_on_the_belt_sticks_and_slips() -> None:

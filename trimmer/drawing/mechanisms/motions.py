@@ -30,7 +30,7 @@ POINTS = 4000  # Points of a curve
 @draw.register(MechanismMotion)
 def draw_simulated(motion: MechanismMotion, axes: Axes) -> None:
     """Draw a simulated motion over time."""
-    draw_motion(motion.flow, motion.course, axes)
+    draw_motion(motion.flow, motion.course, axes, travels=True)
 
 
 @draw.register(Orbit)
@@ -39,14 +39,15 @@ def draw_orbit(orbit: Orbit, axes: Axes) -> None:
     draw_phase_plane(orbit.flow, orbit.course, axes)
 
 
-def draw_motion(flow: Flow, course: Course, axes: Axes) -> None:
-    """Draw outputs over time, s, with contact and stick marked."""
+def draw_motion(flow: Flow, course: Course, axes: Axes, *, travels: bool = False) -> None:
+    """Draw outputs over time, s, with contact and stick marked, and what they travel if that is wanted."""
     times = np.linspace(0.0, course.duration, POINTS)
     states, rows = course.states(times), _rows(course, times)
     signals = signals_of(flow)
     alike = len({each.unit for each in signals.values()}) == 1
     for number, (name, each) in enumerate(signals.items()):
         (values,) = read(course, [each], rows, states).T
+        values = values + each.speed * times * travels
         label = plain_label(name) if alike else with_unit(plain_label(name), each.unit)
         axes.plot(times, values, label=label, linewidth=1.2, **line(number))
     axes.set_xlim(0.0, course.duration)

@@ -59,7 +59,7 @@ def motion_figure(motion: MechanismMotion) -> Figure:
     """Draw a motion over time, with contact and stick marked, and its phase plane."""
     figure = new_figure(*SIZE)
     above, below = figure.subplots(2, height_ratios=[4, 5])
-    draw_motion(motion.flow, motion.course, above)
+    draw_motion(motion.flow, motion.course, above, travels=True)
     draw_phase_plane(motion.flow, motion.course, below)
     head(figure, motion.mechanism.title)
     return figure

@@ -24,7 +24,7 @@ from trimmer.messages import near_or_all
 from trimmer.motion.course import Course
 from trimmer.motion.flow import signals_of
 from trimmer.motion.motion import EventTable, Motion, ordered
-from trimmer.motion.signals import Signal, Steady, along
+from trimmer.motion.signals import Readout, Signal, Steady, along
 from trimmer.response.simulation.closings import Closing, closings
 from trimmer.response.simulation.energy import MechanismEnergy, energy_of
 from trimmer.response.without_events.rest import Rest
@@ -181,18 +181,17 @@ class MechanismMotion(Motion):
             ValueError: if a time lies outside the motion.
         """
         _require("output", name, self.flow.outputs)
-        return self._signal(self.flow.outputs[name].signal, times)
+        return self._read_out(self.flow.outputs[name], times)
 
     def displacement(self, name: str, times: ArrayLike) -> Reals:
         """Return the displacement of a body or a pin, m, in the shape of the times, s.
-
-        That of a pin which goes on for ever while no spring leans on it is without what it goes on by.
 
         Raises:
             MechanismError: if there is no such body or pin.
             ValueError: if a time lies outside the motion.
         """
-        return self._signal(Steady(self._rows(name)[0]), times)
+        row = self._rows(name)[0]
+        return self._read_out(Readout(Steady(row), "m", self.course.modes.system.layout.speeds[name]), times)
 
     def velocity(self, name: str, times: ArrayLike) -> Reals:
         """Return the velocity of a body or a pin, m/s, in the shape of the times, s.
@@ -279,7 +278,7 @@ class MechanismMotion(Motion):
         return {name: each.unit for name, each in signals_of(self.flow).items()}
 
     def _read(self, name: str, times: ArrayLike) -> Reals:
-        return self._signal(signals_of(self.flow)[name].signal, times)
+        return self._read_out(signals_of(self.flow)[name], times)
 
     def _told(self) -> str:
         return f"{self.mechanism.title}, {super()._told()}"
@@ -293,6 +292,11 @@ class MechanismMotion(Motion):
         _require("body or pin", name, layout.ends)
         rows = Rows(self.mechanism, layout)
         return rows.displacement(name), rows.velocity(name)
+
+    def _read_out(self, readout: Readout, times: ArrayLike) -> Reals:
+        """Return a readout, with what a pin that nothing leans on goes on by."""
+        values = self._signal(readout.signal, times)
+        return values + readout.speed * np.asarray(times) if readout.speed else values
 
     def _signal(self, signal: Signal, times: ArrayLike) -> Reals:
         return self._at(times, lambda rows, states: along(self.course, signal, rows, states))
