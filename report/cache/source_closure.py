@@ -114,8 +114,10 @@ class SourceTree:
         Of a package that imports its names on first use, a name alone depends on that name's module, and the
         package itself on all.
         """
-        parts = self._exported.get(name, name).split(".")
-        stems = ["/".join(parts[:length]) for length in range(1, len(parts) + 1)]
+        names = dict.fromkeys((self._exported.get(name, name), name))
+        stems = [
+            "/".join(each.split(".")[:length]) for each in names for length in range(1, each.count(".") + 2)
+        ]
         paths = [path for stem in stems for path in (f"{stem}/__init__.py", f"{stem}.py")]
         paths.append(f"{name.replace('.', '/')}/__init__.pyi")
         yield from (path for path in paths if path in self.sources)
