@@ -43,7 +43,10 @@ def extremes(motion: BruteMotion, row_of) -> tuple[float, float]:
             def speed(time, piece=piece, rate=rate):
                 return float(rate @ piece.interpolated(np.array([time]))[:, 0])
 
-            time = brentq(speed, times[place], times[place + 1], xtol=1e-300, rtol=1e-14)
+            ends = times[place], times[place + 1]
+            if speed(ends[0]) * speed(ends[1]) >= 0:  # A rate that is rounding at an end, which is looked at.
+                continue
+            time = brentq(speed, *ends, xtol=1e-300, rtol=1e-14)
             found.append(float(row @ piece.interpolated(np.array([time]))[:, 0]))
         low, high = min(low, *found), max(high, *found)
     return low, high

@@ -127,7 +127,10 @@ def differences(seed: int, *, branches: bool = True) -> list[str]:
         return found
     place = str(random.choice([each for each in mechanism.places if varies(mechanism, each)]))
     value = mechanism.value(place)
-    stop = value * float(random.choice([0.8, 1.25]))
+    factor = float(random.choice([0.8, 1.25]))
+    # The static force may not go below the kinetic one, nor that above it.
+    factor = {"static": 1.25, "force": 0.8}.get(place.rsplit(".", 1)[-1], factor)
+    stop = value * factor
     settings = FollowSettings(quiet=True, switches=0, most_points=POINTS)
     followed = [
         follow(each, place, value, stop, periods=count, state=state, settings=settings)
