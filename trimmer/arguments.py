@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 _LONGEST = 200
 LARGEST_COUNT = 2**62
 """Largest whole number; beyond it, no number of things fits into an integer of the computer."""
+MOST_EVENTS = 4_000_000  # Events of a simulation if no number is given: about a GB with a dozen states
 
 
 def shown(value: object) -> str:

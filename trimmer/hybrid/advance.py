@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trimmer.arguments import LARGEST_COUNT
 from trimmer.hybrid.clock import DUE, TICKED, instants
 from trimmer.hybrid.integration import (
     CYCLING,
@@ -49,7 +50,6 @@ MOST_STEPS = 20_000_000  # Steps of one integration if no number is given: some 
 AT_ONCE = 1_000_000
 """Steps after which the compiled code comes back, so that an interrupt is heard: less than a second."""
 MOST_TOGETHER = 6  # Decisions at one instant that are taken because events repeat each other
-MOST_EVENTS = 2**62  # Events of one integration if no number is given
 
 
 _ENDINGS = {REACHED_END: Ending.REACHED_END, DIVERGED: Ending.DIVERGED, STEP_LIMIT: Ending.STEP_LIMIT}
@@ -65,7 +65,7 @@ def advance(  # noqa: PLR0913
     before: int = 0,
     *,
     forcing: Reals | None = None,
-    most_events: int = MOST_EVENTS,
+    most_events: int = LARGEST_COUNT,
     exact: bool = False,
     watched: bool = False,
 ) -> Stretch:

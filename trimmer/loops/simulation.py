@@ -5,7 +5,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from trimmer.arguments import real_number
+from trimmer.arguments import LARGEST_COUNT, MOST_EVENTS, real_number
 from trimmer.hybrid.stretch import AdvanceInterrupted, Ending, Instant
 from trimmer.hybrid.work import Log
 from trimmer.loops.components.backlash_component import BacklashComponent
@@ -23,10 +23,7 @@ OUTCOMES = {
     Ending.DIVERGED: Outcome.DIVERGED,
     Ending.STEP_LIMIT: Outcome.STEP_LIMIT,
 }
-MOST_EVENTS = 4_000_000  # Events of one motion if no number is given: about a GB with a dozen states
 MOST_STEPS = 50_000_000  # Steps of one motion if no number is given: about a minute
-LARGEST_COUNT = 2**62
-"""Upper limit of a number of events or steps, which must fit into 64 bits in the compiled code."""
 
 
 class SimulationInterrupted(KeyboardInterrupt):

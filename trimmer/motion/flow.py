@@ -9,8 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from trimmer.arguments import LARGEST_COUNT
 from trimmer.arrays import Complexes, Reals
-from trimmer.hybrid.advance import MOST_EVENTS, MOST_STEPS, advance
+from trimmer.hybrid.advance import MOST_STEPS, advance
 from trimmer.hybrid.clock import TICKED
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.hybrid.system import ModeEquations, System
@@ -263,7 +264,7 @@ class Flow(ABC):
         instant: Instant,
         duration: float,
         most_steps: int = MOST_STEPS,
-        most_events: int = MOST_EVENTS,
+        most_events: int = LARGEST_COUNT,
     ) -> Course:
         """Go on for a duration, s, and keep the motion; without a drive there are no periods."""
         begin, end, ending, logs = 0.0, instant, Ending.REACHED_END, list[Log]()
@@ -315,7 +316,7 @@ class Flow(ABC):
         return parts, end, ending
 
     def _periods(
-        self, instant: Instant, periods: int, most_steps: int, most_events: int = MOST_EVENTS
+        self, instant: Instant, periods: int, most_steps: int, most_events: int = LARGEST_COUNT
     ) -> tuple[list[Log], Instant, Ending]:
         """Go on for whole periods; returns the logs of the motion, its end, and why it ends."""
         logs, end, ending, left = list[Log](), instant, Ending.REACHED_END, most_events

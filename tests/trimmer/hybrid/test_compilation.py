@@ -27,6 +27,29 @@ Dispatcher.compile = refuse
 import trimmer.branches.follow, trimmer.contact.flow, trimmer.loops.simulation
 """
 
+SAME_TYPES = """
+import numba, sys
+from trimmer.hybrid import compilation
+kept = compilation.kept
+
+def looked_at(entry):
+    call, known = kept(entry), {}
+    def look(*arguments):
+        types = tuple(map(numba.typeof, arguments))
+        assert known.setdefault(tuple(map(type, arguments)), types) == types, (entry, types)
+        return call(*arguments)
+    return look
+
+compilation.kept = looked_at
+import trimmer
+for name in ("sampled-axis", "block-on-belt", "bouncing-ball", "second-play", "oscillator-stop"):
+    machine = trimmer.Mechanism.from_toml(f"{sys.argv[1]}/{name}.toml")
+    trimmer.respond(machine, most_periods=50).motion.measures
+trimmer.follow(machine, "frequency", 1.0, 1.02)
+loop = trimmer.TrimmerLoop(trimmer.TrimmerParameters.thesis(), trimmer.elements.FrictionBacklash(4e-5))
+trimmer.simulate(loop, 0.02, impulse=1e-3).signal("output", 0.01)
+"""
+
 
 def doubled(value: float) -> float:
     return 2.0 * value
@@ -35,6 +58,13 @@ def doubled(value: float) -> float:
 @pytest.mark.slow
 def test_nothing_is_compiled_at_import() -> None:
     subprocess.run([sys.executable, "-c", IMPORT_ALONE], check=True, timeout=120)
+
+
+def test_arguments_of_the_same_classes_have_the_same_types(project_folder: Path) -> None:
+    """Only then may the machine code be entered without a look at each array."""
+    words = [sys.executable, "-c", SAME_TYPES, str(project_folder / "examples")]
+    run = subprocess.run(words, capture_output=True, text=True, timeout=120)
+    assert (run.returncode, run.stderr[-2000:]) == (0, "")
 
 
 def test_it_works_where_no_folder_can_be_written(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, overload
 
-from trimmer.arguments import real_number, whole_number
+from trimmer.arguments import MOST_EVENTS, real_number, whole_number
 from trimmer.mechanism.mechanism import Mechanism
 
 if TYPE_CHECKING:
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from trimmer.response.starts import Start
 
 MOST_STEPS = 20_000_000  # Steps of one simulation, if no number is given: some ten seconds
-MOST_EVENTS = 4_000_000  # Events of one, if no number is given: about a GB with a dozen states
 
 
 @overload
