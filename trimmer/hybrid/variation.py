@@ -139,6 +139,8 @@ class Jump:
     rates: Reals  # Rates of the state before, 1/s, (N,)
     change: Reals  # Rates afterwards less those before, as the reset leaves them, (N,)
     kind: int | None = None  # What an impulse that was decided counts as; None for any other
+    # Numbers of modes and of functions in them of what follows from it, and whose resets are in its own
+    following: Sequence[tuple[int, int]] = ()
 
     @property
     def slope(self) -> float:
@@ -156,16 +158,18 @@ def jumps(modes: Modes[Any], log: Log, first: int, last: int) -> Iterator[Jump]:
         return
     found = list(changes(modes, log, first, last, int(log.function[events[0]])))
     resets = [modes.system.reset(modes[before], function) for before, function, _ in found]
-    follows = _reset_of_those_that_follow(modes, log, events, found)
-    if follows is not None:
-        resets[-1] = follows if resets[-1] is None else follows @ resets[-1]
+    following = _that_follow(modes, log, events, found)
+    for mode, number in following:
+        reset = modes.system.reset(modes[mode], modes[mode].functions[number])
+        resets[-1] = reset if resets[-1] is None else reset @ resets[-1]
     jumping = any(each is not None for each in resets)
     here = _before(modes, log, first) if jumping else log.state[first]
-    for (before, function, after), reset in zip(found, resets, strict=True):
+    for place, ((before, function, after), reset) in enumerate(zip(found, resets, strict=True), start=1):
         there = log.state[last] if not jumping else here if reset is None else reset @ here
         rates = modes[before].flow @ here
         change = modes[after].flow @ there - (rates if reset is None else reset @ rates)
-        yield Jump(before, function, after, here, there, reset, rates, change)
+        late = following if place == len(found) else ()
+        yield Jump(before, function, after, here, there, reset, rates, change, following=late)
         here = there
 
 
@@ -202,19 +206,15 @@ def _before(modes: Modes[Any], log: Log, row: int) -> Reals:
     return state
 
 
-def _reset_of_those_that_follow(
+def _that_follow(
     modes: Modes[Any], log: Log, events: Sequence[int], found: Sequence[tuple[int, EventFunction, int]]
-) -> Reals | None:
-    """Return the resets, (N, N), of what happens at an instant beside what falls to zero; None for none."""
-    total = None
+) -> list[tuple[int, int]]:
+    """Return modes and functions in them of what resets the state beside what falls to zero."""
     known = {_at_status(modes[before], function) for before, function, _ in found}
-    for row in events[1:]:
-        mode = modes[int(log.mode[row - 1])]
-        function = mode.functions[int(log.function[row])]
-        reset = None if _at_status(mode, function) in known else modes.system.reset(mode, function)
-        if reset is not None:
-            total = reset if total is None else reset @ total
-    return total
+    places = [(int(log.mode[row - 1]), int(log.function[row])) for row in events[1:]]
+    each = [(modes[mode], modes[mode].functions[number]) for mode, number in places]
+    new = [_at_status(*one) not in known and modes.system.reset(*one) is not None for one in each]
+    return [place for place, resets in zip(places, new, strict=True) if resets]
 
 
 def _at_status(mode: ModeEquations, function: EventFunction) -> tuple[int, int, int]:

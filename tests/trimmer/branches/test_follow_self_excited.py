@@ -3,6 +3,7 @@
 import math
 from pathlib import Path
 
+import control
 import numpy as np
 import pytest
 from scipy.optimize import brentq
@@ -13,6 +14,7 @@ from tests.mechanisms.dynamics import System
 from tests.quick import quick
 from tests.trimmer.branches.published import two_blocks
 from trimmer import (
+    Feedback,
     FollowedBranch,
     FollowSettings,
     SpecialKind,
@@ -219,6 +221,26 @@ limit = 1.0
 [references]
 path = {{ step = 1.0 }}
 """
+
+
+def test_a_gap_and_a_friction_are_followed_alike() -> None:
+    """Only their ratio counts. A play that is stuck leaves its side in the instant at which the pin slips."""
+    plant = control.ss(
+        [[0, 1, 0], [0, -0.3, 1], [0, 0, -2]],
+        [[0, 0], [0, -1], [-4, 0]],
+        [[1, 0, 0], [0, 1, 0]],
+        0,
+        inputs=["play", "rub"],
+        outputs=["play", "rub"],
+    )
+    loop = Feedback(plant, {"play": FrictionBacklash(0.2), "rub": CoulombFriction(0.05)})
+    wider, rougher = (
+        follow(loop, "elements.play.gap", 0.2, 0.1),
+        follow(loop, "elements.rub.force", 0.05, 0.1),
+    )
+    assert wider.reason is rougher.reason is BranchEnd.LEFT_AT_STOP
+    assert wider.points[-1].period == pytest.approx(rougher.points[-1].period, rel=1e-9)
+    assert 0.2 / wider.special[0].value == pytest.approx(rougher.special[0].value / 0.05, rel=1e-9)
 
 
 @pytest.mark.parametrize("stiffness", quick([0.3, 0.05], 0))

@@ -188,8 +188,13 @@ class ValueChange:
         row_rate: Reals = self.slopes.functions[mode, function]
         if jump.reset is None:
             return row_rate, None
-        changed = self.other.mode(modes[mode].statuses)
-        return row_rate, self.other.reset(changed, changed.functions[function])
+        total = None
+        for number, place in ((mode, function), *jump.following):
+            changed = self.other.mode(modes[number].statuses)
+            reset = self.other.reset(changed, changed.functions[place])
+            if reset is not None:
+                total = reset if total is None else reset @ total
+        return row_rate, total
 
     def _place_of(self, jump: Jump, first: int) -> tuple[int, int]:
         """Return in which mode an event function is, and its number there: of the first mode that has it."""
