@@ -8,6 +8,9 @@ import numpy as np
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.ties import levels
 
+BRIEF = 1e-6
+"""Share of a period below which a phase is a touch: Newton's method finds an orbit to the square of it."""
+
 
 @dataclass(frozen=True)
 class OrbitFamily:
@@ -36,13 +39,15 @@ class OrbitFamily:
 def by_families(orbits: Sequence[PeriodicOrbit]) -> tuple[tuple[PeriodicOrbit, ...], tuple[OrbitFamily, ...]]:
     """Return orbits by falling amplitude with one for each continuum, and the continua.
 
-    Two orbits are of one continuum if both have neighbours in one, and as many events in a period. One that
-    was met alone stays an orbit among others: it may be where two orbits meet.
+    Two orbits are of one continuum if both have neighbours in one, and as many events in a period. So is one
+    at which it ends, where a play just touches. One that was met alone stays an orbit among others: it may be
+    where two orbits meet.
     """
     members: dict[int, list[PeriodicOrbit]] = {}
     for orbit in orbits:
-        if orbit.has_neighbours:
-            members.setdefault(len(orbit.switching_times), []).append(orbit)
+        events, touches = len(orbit.switching_times), _touches(orbit)
+        if orbit.has_neighbours or (touches and orbit.edge is not None and orbit.edge.growth == 0.0):
+            members.setdefault(events - 2 * touches, []).append(orbit)
     families = tuple(
         OrbitFamily(
             max(met, key=lambda orbit: orbit.amplitude),
@@ -57,3 +62,10 @@ def by_families(orbits: Sequence[PeriodicOrbit]) -> tuple[tuple[PeriodicOrbit, .
     kept += [family.member for family in families]
     falling = np.argsort(levels([-orbit.amplitude for orbit in kept]), kind="stable")
     return tuple(kept[place] for place in falling.tolist()), families
+
+
+def _touches(orbit: PeriodicOrbit) -> int:
+    """Return how many phases last no longer than rounding makes them."""
+    times = orbit.switching_times
+    lasting = np.diff(times, append=times[:1] + orbit.period)
+    return int((lasting < BRIEF * orbit.period).sum())

@@ -10,7 +10,15 @@ import pytest
 import scipy.linalg
 import scipy.optimize
 
-from trimmer import ClosedLoop, Relay, TrimmerParameters, ViscousBacklash, periodic_orbits, simulate
+from trimmer import (
+    ClosedLoop,
+    Feedback,
+    Relay,
+    TrimmerParameters,
+    ViscousBacklash,
+    periodic_orbits,
+    simulate,
+)
 from trimmer.elements import CoulombFriction, Element, FrictionBacklash, InertiaBacklash
 from trimmer.errors import OrbitNotFoundWarning
 from trimmer.linear import InputChannels, pin_model
@@ -148,3 +156,20 @@ def test_a_double_integrator_with_a_relay_keeps_any_amplitude_and_is_told_once()
     assert family.met > 20
     assert family.amplitudes[0] < 0.1 < 100 < family.amplitudes[1] == orbit.amplitude
     assert "stands for a continuum" in found.message
+
+
+@pytest.mark.parametrize("gap", [2.4, 2.5, 2.6])
+def test_a_continuum_ends_where_a_play_just_touches(gap: float) -> None:
+    """From outside the load is pushed to there, with contacts as short as rounding makes them."""
+    names = ["relay", "play"]
+    matrices = [
+        [[0, 1, 0], [-1.75, -0.47, 0], [1.41, 0, -2.45]],
+        [[0, 0], [-2.25, 0.14], [-0.13, 0.1]],
+        [[0.48, 0, 1.16], [0.36, 0, 0.98]],
+    ]
+    plant = control.ss(*matrices, 0, inputs=names, outputs=names)
+    found = periodic_orbits(
+        Feedback(plant, {"relay": Relay(0.8, hysteresis=0.2), "play": FrictionBacklash(gap)})
+    )
+    ((orbit,), (family,)) = found, found.families
+    assert orbit.neutral and orbit.edge is None and family.member is orbit

@@ -19,6 +19,9 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.sides import DIFFERENT, DISTANCES, Sides
 
+KNOWN = 1e-4
+"""Distance from 1 that differences give a multiplier: a double one is exact to the root of what each is."""
+
 
 @dataclass(frozen=True, eq=False)
 class Edge:
@@ -27,29 +30,43 @@ class Edge:
     # Multipliers of the side that ``Orbit.multipliers`` are not of, largest modulus first, (n,); None where
     # these are of neither side
     other_multipliers: Complexes | None
+    trivial: int = 0  # How many of them are 1 because the motion may be shifted, in time or in place
+
+    @property
+    def growth(self) -> float | None:
+        """Largest modulus to the other side but for shifts, less 1, 0 as far as is known; None if unknown."""
+        if self.other_multipliers is None:
+            return None
+        nearest = np.argsort(abs(self.other_multipliers - 1), kind="stable")
+        largest = float(abs(np.delete(self.other_multipliers, nearest[: self.trivial])).max(initial=0.0))
+        return 0.0 if abs(largest - 1) < KNOWN else largest - 1
 
     @property
     def told(self) -> str:
         """What is known, in words."""
         begun = "it rests on an edge, so that these multipliers hold for small disturbances to one side only"
-        if self.other_multipliers is None:
+        growth = self.growth
+        if growth is None:
             return f"{begun}, and those of other sides are not known"
-        largest = float(abs(self.other_multipliers).max())
-        word = "less" if largest < 1 else "more"
-        stable = "" if largest < 1 else ": it is not stable there"
+        size = f"{1 + growth:.6g}, {'less' if growth < 0 else 'more'} than 1"
+        stable = ": it is not stable there" if growth > 0 else ""
+        if growth == 0:
+            size = "1 as far as is known: what is beside it there stays beside it"
         return (
-            f"{begun}; to the other side the largest is {largest:.6g}, {word} than 1{stable}. "
+            f"{begun}; to the other side the largest is {size}{stable}. "
             "What becomes of a disturbance that goes from side to side is not known"
         )
 
 
-def edge_of(flow: Flow, course: Course, sizes: Reals) -> Edge | None:
+def edge_of(flow: Flow, course: Course, sizes: Reals, multipliers: Complexes, trivial: int) -> Edge | None:
     """Return what is known of the other side of an orbit; None if it rests on no edge.
 
     Args:
         flow: The motion of the mechanism.
         course: The orbit.
         sizes: Scale of each state, (n,).
+        multipliers: Those of the orbit, largest modulus first, (n,).
+        trivial: How many of them are 1 because the motion may be shifted.
     """
     course = _from_the_middle(flow, course)
     beside = Sides(_Beside(flow, course, sizes).end, len(sizes))
@@ -65,8 +82,11 @@ def edge_of(flow: Flow, course: Course, sizes: Reals) -> Edge | None:
     if not (np.minimum(ahead, behind) < scale).all() or not np.isfinite([forward, backward]).all():
         return Edge(None)
     # Where one column is much smaller than another, both sides are within that: the farther one is the other.
-    other = np.linalg.eigvals(np.where(ahead <= behind, backward, forward)).astype(complex)
-    return Edge(other[np.argsort(-abs(other), kind="stable")])
+    # Where a contact is so short that rounding decides whether it is met, the orbit may have been on either.
+    near = ahead <= behind
+    sides = [np.linalg.eigvals(np.where(each, forward, backward)).astype(complex) for each in (near, ~near)]
+    other = max(sides, key=lambda each: float(abs(np.poly(each) - np.poly(multipliers)).max()))
+    return Edge(other[np.argsort(-abs(other), kind="stable")], trivial)
 
 
 def _from_the_middle(flow: Flow, course: Course) -> Course:

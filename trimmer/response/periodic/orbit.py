@@ -194,7 +194,8 @@ class Orbit(Tabular, Drawn):
         """What is known of the other side, where it rests on an edge; None where it does not."""
         from trimmer.response.periodic.edge import edge_of
 
-        return edge_of(self.flow, self.course, self.sizes) if self.success else None
+        found = self.flow, self.course, self.sizes, self.multipliers, len(self._trivial)
+        return edge_of(*found) if self.success else None
 
     @property
     def one_sided(self) -> bool:
