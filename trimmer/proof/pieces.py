@@ -146,13 +146,12 @@ def _require_above(polynomial: arb_poly, error: arb, called: str) -> None:
     waiting = [(0.0, 1.0)]
     while waiting:
         require_time()
-        first, last = waiting.pop()
-        value = polynomial(hull(first, last))
+        first, width = waiting.pop()
+        value = polynomial(hull(first, first + width))
         if value < -error:
             raise RefutedError(f"{called} is negative within it")
         if value > error:
             continue
-        if last - first < 2.0**-24:
+        if width < 2.0**-24:
             raise UndecidedError(f"{called} may come to zero within it: a grazing, to balls")
-        middle = 0.5 * (first + last)
-        waiting += [(first, middle), (middle, last)]
+        waiting += [(first, 0.5 * width), (first + 0.5 * width, 0.5 * width)]

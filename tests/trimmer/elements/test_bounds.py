@@ -108,6 +108,9 @@ def test_a_frozen_element_has_the_bounds_at_its_frequency_in_any_shape() -> None
 def test_limits_of_u_of_a_sum_are_those_of_its_terms() -> None:
     assert SumOfElements((Saturation(2e-5), REST)).constant_from == pytest.approx(1.0)
     assert SumOfElements((REST, Saturation(2e-5))).constant_from == pytest.approx(2.5)
+    play, box = ViscousBacklash(1e-5, 2e-3), (0.0, 0.7)
+    steep = 0.35 * play.sensitivity(box, OMEGAS).by_u
+    assert (LOOP + play).reach(box, OMEGAS) == pytest.approx(LOOP.reach(box) + steep)
     assert SumOfElements((REST, Saturation(2e-5), Relay(1.0))).constant_from == math.inf
     # The relay wants A > 1e-5, the backlash A > 2e-5.
     assert (LOOP + FrictionBacklash(4e-5)).domain([1.0, 2.0]) == pytest.approx([0.5, 0.5])

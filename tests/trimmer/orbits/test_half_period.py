@@ -100,6 +100,16 @@ def test_a_real_pole_of_the_loop_hides_many_orbits() -> None:
         assert len(orbit.switching_times) == 2
 
 
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning", "ignore::trimmer.errors.OrbitNotFoundWarning")
+def test_an_orbit_of_states_one_behind_the_other_is_that_of_partial_fractions() -> None:
+    """Harmonic balance leads to none here. Sums over the poles are Tsypkin's for real ones."""
+    A = np.array([[-2.6, 0, 0, 0], [-0.5, -1.3, 0, 0], [1.4, 1.8, -2.2, -2.4], [0.9, 0.9, 0, -2]])
+    system = A, [[1.2], [0.4], [-0.9], [-1.5]], [[5.3, -0.3, -2.1, 0.4]], [[0.0]]
+    (orbit,) = periodic_orbits(control.ss(*system), Relay(1.0, 1.0), search=OrbitSearch(Simulations.NEVER))
+    residues, poles, _ = scipy.signal.residue(*map(np.ravel, scipy.signal.ss2tf(*system)))
+    assert abs(residues / poles @ np.tanh(poles * orbit.period / 4)) == pytest.approx(1.0, rel=1e-9)
+
+
 def test_the_interval_can_be_chosen() -> None:
     system = control.ss(*scipy.signal.tf2ss([0.781, 1], [1, 1.467, 8.244, 9, 3.618, 1.247]))
     chosen = OrbitSearch(Simulations.NEVER, half_periods=(3.45, 3.6))

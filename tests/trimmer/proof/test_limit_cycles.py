@@ -68,7 +68,8 @@ def test_the_list_is_proven_and_every_other_is_not(name: str) -> None:
         return
     lacking, moved = cycles[1:], (replace(cycles[0], omega=cycles[0].omega * (1 + 2e-6)), *cycles[1:])
     larger = (replace(cycles[0], amplitude=cycles[0].amplitude * (1 - 2e-6)), *cycles[1:])
-    for wrong in (lacking, moved, larger, (*cycles, cycles[0])):
+    still = (replace(cycles[0], amplitude=0.0), *cycles[1:])
+    for wrong in (lacking, moved, larger, still, (*cycles, cycles[0])):
         refused = prove_limit_cycles(loop, wrong)
         assert (refused.verdict, refused.theorem) == ("refuted", "")
 
