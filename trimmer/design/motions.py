@@ -176,7 +176,7 @@ def _around(varied: VariedNumber, count: int) -> tuple[float, ...]:
 
     Those out of range are drawn in. In the middle the share is nothing beside 1, so that the value is exact.
     """
-    shares = np.linspace(-REACH, REACH, count)
+    shares = np.linspace(-REACH, REACH, count) if count > 1 else np.zeros(1)
     if varied.bounded:
         room = varied.highest / varied.value - 1
         shares = np.where(shares > 0, shares / REACH * min(room, REACH), shares)

@@ -227,6 +227,10 @@ def test_starts_are_counted_and_neighbours_are_looked_at_around_two_numbers() ->
     found = with_neighbours(oscillator(), unknown, (speed, drive), FEW, runner)
     assert [each.outputs["block"].peak_to_peak for each in found.found] == pytest.approx([stroke()])
     assert (found.lost, found.message, found.first_failed, found.first) == (1, "told", True, None)
+    resonant = oscillator().with_value("links.spring.damping", 0.0)
+    resonant = resonant.with_value("links.spring.stiffness", 0.5 * (2 * np.pi * 20.0) ** 2)
+    found = with_neighbours(resonant, unknown, (speed, drive), replace(FEW, neighbours=1), runner)
+    assert found.neighbours is not None and (found.found, found.neighbours.cells) == ((), 1)
 
 
 class Noting(Keeper):
