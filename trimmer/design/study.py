@@ -8,6 +8,8 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TypeVar
 
+import numpy as np
+
 from trimmer.deadline import NEVER, Deadline
 from trimmer.design.analysis.linear import LinearState, linear_states
 from trimmer.design.analysis.plausible import questions
@@ -295,12 +297,12 @@ class Study:
             return ()
         by_role = tuple({each.role: each for each in varied}.values())
         wanted = pairs or {(by_role[0], each): () for each in by_role[1:]}
-        begun, found = SPENT[Stage.NEIGHBOURS], []
-        for number, ((first, second), targets) in enumerate(wanted.items(), start=1):
+        shares = np.linspace(SPENT[Stage.NEIGHBOURS], SPENT[Stage.MAP], len(wanted) + 1)[1:].tolist()
+        found = []
+        for ((first, second), targets), share in zip(wanted.items(), shares, strict=True):
             # Where an axis hunts matters most.
-            part = 1.0 if self.file.stepped else number / len(wanted)
-            share = begun + (SPENT[Stage.MAP] - begun) * part
-            found.append(self._map(first, second, targets, self.deadline.share(share)))
+            deadline = self.deadline.share(SPENT[Stage.MAP] if self.file.stepped else share)
+            found.append(self._map(first, second, targets, deadline))
         return tuple(each for each in found if each is not None)
 
     def grid(self, motions: Motions, moved: tuple[MovedNumber, ...]) -> SolvedGrid | None:

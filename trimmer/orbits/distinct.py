@@ -8,7 +8,7 @@ from trimmer.arrays import Reals
 from trimmer.hybrid.stretch import Instant
 from trimmer.one_orbit import SAME, ClosedCurve, are_one, inaccuracy
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
-from trimmer.response.periodic.shooting import CLOSED, LONGEST, Patience, Return, Shot, solve
+from trimmer.response.periodic.shooting import LONGEST, Patience, Return, Shot, returned
 
 COLLAPSED = 1e-6
 """Swing of all states, relative to their sizes, below which Newton's method has found an equilibrium."""
@@ -72,9 +72,8 @@ def closed(
     problem: Return, instant: Instant, duration: float, sizes: Reals, patience: Patience | None = None
 ) -> Shot | None:
     """Return a solved return from a guess of start and span, s; None if Newton's method does not find one."""
-    shot = solve(problem, instant, duration, patience, sizes[: problem.flow.size])
-    long = shot is not None and shot.duration > LONGEST * duration
-    return None if shot is None or shot.miss > CLOSED or long else shot
+    shot = returned(problem, instant, duration, patience, sizes[: problem.flow.size])
+    return None if shot is None or shot.duration > LONGEST * duration else shot
 
 
 def collapsed(shot: Shot, sizes: Reals) -> bool:

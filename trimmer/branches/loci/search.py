@@ -76,7 +76,7 @@ def first_point(search: Search, values: Reals, state: Reals) -> LocusPoint:
 
 def restart(search: Search, track: Track) -> None:
     """Let orbits begin elsewhere, where an event comes near to the instant at which they do."""
-    last = track.points[-1]
+    *_, last = track.points
     first, second = search.lowest + last.values * search.spans
     passage = search.map_at(1, float(second), track.share).passage(float(first), last.state)
     other = passage.restart(np.zeros(len(last.state) + 1))

@@ -10,7 +10,7 @@ from trimmer.motion.flow import Flow
 from trimmer.response.by_itself.recurrences import once, recurring
 from trimmer.response.by_itself.self_excited import self_excited
 from trimmer.response.periodic.orbit import Orbit, orbit_of
-from trimmer.response.periodic.shooting import CLOSED, Return, solve
+from trimmer.response.periodic.shooting import Return, returned
 
 
 def self_excited_orbit(flow: Flow, instant: Instant) -> Orbit:
@@ -69,7 +69,7 @@ def orbit_by_itself(flow: Flow) -> Orbit:
     state = np.ascontiguousarray(first.motion.log.state[0][: flow.size])
     statuses = first.motion.loop.modes[int(first.motion.log.mode[0])].statuses
     begin = replace(flow.at(state), statuses=statuses)
-    shot = solve(Return(flow, 0), flow.at(state, like=begin), first.period)
-    if shot is None or shot.miss > CLOSED:
+    shot = returned(Return(flow, 0), flow.at(state, like=begin), first.period)
+    if shot is None:
         raise OrbitNotFoundError("the orbit of the loop cannot be followed")
     return orbit_of(flow, once(flow, shot), 0)

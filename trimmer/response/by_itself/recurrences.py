@@ -12,7 +12,7 @@ from trimmer.motion.flow import Flow
 from trimmer.one_orbit import SAME
 from trimmer.response.by_itself.arrival import what_happened
 from trimmer.response.periodic.orbit import Orbit, orbit_of
-from trimmer.response.periodic.shooting import CLOSED, Patience, Return, Shot, sizes_of, solve
+from trimmer.response.periodic.shooting import Patience, Return, Shot, returned, sizes_of
 from trimmer.response.without_events.rest import RESTING, at_rest
 
 NEAR = 0.1  # Distance of two states as a share of their sizes at which Newton's method is tried
@@ -34,8 +34,8 @@ def recurring(flow: Flow, course: Course) -> list[Orbit]:
         begin = start[first]
         amid = course.instant(float(begin + 0.5 * (start[first + 1] - begin)))
         duration = float(start[last] - begin)
-        shot = solve(Return(flow, 0), flow.at(amid.state, like=amid), duration, FROM_NEARBY)
-        if shot is not None and shot.miss <= CLOSED and not _stands_still(shot, sizes):
+        shot = returned(Return(flow, 0), flow.at(amid.state, like=amid), duration, FROM_NEARBY)
+        if shot is not None and not _stands_still(shot, sizes):
             found.append(orbit_of(flow, once(flow, shot), 0))
             if found[-1].stable:
                 break
@@ -57,8 +57,8 @@ def once(flow: Flow, shot: Shot) -> Shot:
         (state,) = course.states(np.array([course.duration / count]))
         if (abs(state[: flow.size] - course.begin.state) > SAME * shot.sizes).any():
             continue
-        shorter = solve(Return(flow, 0), course.begin, course.duration / count)
-        if shorter is not None and shorter.miss <= CLOSED and not at_rest(shorter.course, shorter.duration):
+        shorter = returned(Return(flow, 0), course.begin, course.duration / count)
+        if shorter is not None and not at_rest(shorter.course, shorter.duration):
             return shorter
     return shot
 

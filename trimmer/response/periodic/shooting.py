@@ -231,6 +231,18 @@ def solve(
     return min([*found, *([] if last is None else [last])], key=lambda each: each.miss)
 
 
+def returned(
+    problem: Return,
+    instant: Instant,
+    duration: float = 0.0,
+    patience: Patience | None = None,
+    sizes: Reals | None = None,
+) -> Shot | None:
+    """Solve a return as ``solve`` does; None if what came closest does not close."""
+    shot = solve(problem, instant, duration, patience, sizes)
+    return None if shot is None or shot.miss > CLOSED else shot
+
+
 def _solved_from_calm(problem: Return, shot: Shot, patience: Patience) -> Shot | None:
     """Solve from amid the longest segment of a motion, where no event comes to the beginning of its period.
 
