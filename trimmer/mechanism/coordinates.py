@@ -8,25 +8,32 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
 from trimmer.arrays import Flags, Reals
+from trimmer.kept_property import cached_property
 from trimmer.mechanism.kinds import Kind
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer.mechanism.mechanism import WEIGHTS, Mechanism
 from trimmer.mechanism.structures.ends import weights_in
 from trimmer.mechanism.structures.structure import Structure
 
 
 def weights_of_ends(mechanism: Mechanism) -> Mapping[str, Reals]:
-    """Return by name what weighs the coordinates in the displacement of each end, (coordinates,)."""
-    places = {name: place for place, name in enumerate(mechanism.coordinates)}
-    found = {}
-    for name, weights in weights_in(vars(mechanism)).items():
-        found[name] = np.zeros(len(places))
-        found[name][[places[of] for of in weights]] = list(weights.values())
-    return found
+    """Return by name what weighs the coordinates in the displacement of each end, (coordinates,).
+
+    It is kept in the mechanism, and in those that differ from it by another number than a point's.
+    """
+    kept: dict[str, Mapping[str, Reals]] = vars(mechanism)
+    if WEIGHTS not in kept:
+        places = {name: place for place, name in enumerate(mechanism.coordinates)}
+        found = {}
+        for name, weights in weights_in(vars(mechanism)).items():
+            found[name] = np.zeros(len(places))
+            found[name][[places[of] for of in weights]] = list(weights.values())
+            found[name].setflags(write=False)
+        kept[WEIGHTS] = found
+    return kept[WEIGHTS]
 
 
 def shaken_ends(mechanism: Mechanism) -> tuple[str, ...]:
@@ -91,6 +98,10 @@ class Inertia:
         return np.asarray(off.any(axis=1))
 
     @cached_property
+    def _couples(self) -> bool:
+        return bool(self._coupled.any())
+
+    @cached_property
     def _inverse(self) -> Reals:
         """The inverse of what is coupled."""
         inverse = np.linalg.inv(self.matrix[np.ix_(self._coupled, self._coupled)])
@@ -99,6 +110,6 @@ class Inertia:
     def accelerations(self, forces: Reals) -> Reals:
         """Return M⁻¹ times forces, (n,) or (n, columns)."""
         found: Reals = (forces.T / self.matrix.diagonal()).T
-        if self._coupled.any():
+        if self._couples:
             found[self._coupled] = self._inverse @ forces[self._coupled]
         return found

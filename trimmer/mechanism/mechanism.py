@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     import control
 
 SINGULAR = {"bodies": "body"}
+WEIGHTS = "_weights"  # Under which ``trimmer.mechanism.coordinates`` keeps the weights of ends
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -260,7 +261,9 @@ def changed(mechanism: Mechanism, field_name: str, content: Any, name: str = "")
     """Return a mechanism in which one number, which was checked, has changed; others are not checked."""
     contents = {**vars(mechanism), field_name: content}
     asked = contents
-    if field_name != "points":  # Weights of points may leave any part without motion.
+    if field_name == "points":  # Weights of points may leave any part without motion.
+        contents.pop(WEIGHTS, None)
+    else:
         alone = {name: content[name]} if field_name in _JUDGED else {}
         asked = {**contents, **{each: alone if each == field_name else {} for each in _JUDGED}}
     if problems := list(problems_of_numbers(asked, weighs=field_name == "points")):

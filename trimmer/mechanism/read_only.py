@@ -1,6 +1,6 @@
 """A mapping that keeps its order, cannot be changed, and can be pickled and hashed."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import ItemsView, Iterator, Mapping, ValuesView
 from typing import Generic, TypeVar
 
 Value = TypeVar("Value")
@@ -22,6 +22,17 @@ class ReadOnly(Mapping[str, Value], Generic[Value]):
 
     def __len__(self) -> int:
         return len(self._entries)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._entries
+
+    def items(self) -> ItemsView[str, Value]:
+        """Return the names, each with its value."""
+        return self._entries.items()
+
+    def values(self) -> ValuesView[Value]:
+        """Return the values."""
+        return self._entries.values()
 
     def __hash__(self) -> int:
         return hash(frozenset(self._entries.items()))

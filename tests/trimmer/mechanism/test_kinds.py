@@ -2,10 +2,11 @@
 
 import math
 
+import numpy as np
 import pytest
 
 from trimmer.errors import MechanismError
-from trimmer.mechanism import Body, Force, Friction, Link, Mechanism, Output, Pin, Point
+from trimmer.mechanism import Body, Force, Friction, Link, Mechanism, Output, Pin, Point, linear_matrices
 from trimmer.mechanism.kinds import Kind
 
 LEVER = """
@@ -80,6 +81,8 @@ def test_it_is_written_and_read_back_equal(lever: Mechanism) -> None:
     assert lever.with_value("points.tip.arm", "60 mm").points["tip"] == Point(
         {"arm": 0.06, "housing": 1.0}, by_length=True
     )
+    forces, geared = linear_matrices(lever).forces, lever.with_value("points.wheel.arm", -5.0)
+    np.testing.assert_array_equal(linear_matrices(geared).forces, forces * [[2, 1], [1, 1], [1, 1]])
 
 
 def test_a_length_is_told_in_python_as_in_a_file(lever: Mechanism) -> None:

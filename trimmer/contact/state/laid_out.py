@@ -76,10 +76,11 @@ def layout_of(
         dict.fromkeys(speeds, 0.0) if ramp else speeds,
         np.array([]),
     )
-    layout = replace(layout, held=held_by(mechanism.controllers, layout.state_count))
-    layout = replace(layout, lengths=_lengths(mechanism, contacts, layout))
-    rows = Rows(mechanism, layout)
-    return replace(layout, end_rows=np.array([rows.displacement(name) for name in layout.ends]))
+    if held := held_by(mechanism.controllers, layout.state_count):
+        layout = replace(layout, held=held)
+    rows, lengths = Rows(mechanism, layout), _lengths(mechanism, contacts, layout)
+    end_rows = np.array([rows.displacement(name) for name in layout.ends])
+    return replace(layout, lengths=lengths, end_rows=end_rows)
 
 
 def curves_of(mechanism: Mechanism) -> tuple[tuple[str, str], ...]:

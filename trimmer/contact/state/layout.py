@@ -189,8 +189,9 @@ class Layout:
         scale = np.full(len(sizes), longest)
         scale[velocities] = fastest
         sizes = np.maximum(sizes, SMALLEST_SHARE * scale)
-        held = abs(states[:, self.holding]).max(axis=0)  # In units of their own.
-        sizes[self.holding] = np.maximum(held, SMALLEST_SHARE * held.max(initial=0.0))
+        if self.held:
+            held = abs(states[:, self.holding]).max(axis=0)  # In units of their own.
+            sizes[self.holding] = np.maximum(held, SMALLEST_SHARE * held.max(initial=0.0))
         sizes[sizes == 0.0] = 1.0
         return sizes / self.lengths
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -30,6 +30,8 @@ class Rows:
 
     mechanism: Mechanism
     layout: Layout
+    _displacements: dict[str, Reals] = field(default_factory=dict, init=False)
+    _velocities: dict[str, Reals] = field(default_factory=dict, init=False)
 
     @cached_property
     def _weights(self) -> Mapping[str, Reals]:
@@ -44,7 +46,13 @@ class Rows:
         return self._weights[end]
 
     def displacement(self, end: str) -> Reals:
-        """Return the displacement of an end, (N,)."""
+        """Return the displacement of an end, (N,), which is kept."""
+        if end not in self._displacements:
+            self._displacements[end] = self._displacement(end)
+            self._displacements[end].setflags(write=False)
+        return self._displacements[end]
+
+    def _displacement(self, end: str) -> Reals:
         row, weights = np.zeros(self.layout.size), self.weights(end)
         row[: len(weights)] = weights
         if self.layout.ramp:
@@ -59,7 +67,13 @@ class Rows:
         return row
 
     def velocity(self, end: str) -> Reals:
-        """Return the velocity of an end, (N,)."""
+        """Return the velocity of an end, (N,), which is kept."""
+        if end not in self._velocities:
+            self._velocities[end] = self._velocity(end)
+            self._velocities[end].setflags(write=False)
+        return self._velocities[end]
+
+    def _velocity(self, end: str) -> Reals:
         row, weights = np.zeros(self.layout.size), self.weights(end)
         row[len(weights) : 2 * len(weights)] = weights
         if end in self.mechanism.pins:
