@@ -6,11 +6,11 @@ curvature.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
 from trimmer.arrays import Reals
+from trimmer.kept_property import cached_property
 
 DISTANCES = (1e-7, 1e-9)
 """How far from an orbit neighbours begin, as shares of the sizes; what differs at both is no curvature."""

@@ -137,4 +137,5 @@ def diverges_by_pull(subject: Subject) -> bool:
         return False
     from trimmer.contact.state.frame import frame_of
 
-    return frame_of(subject, without_stops=True).pulled
+    goes_on = any(pin.velocity for pin in subject.pins.values()) or subject.references
+    return bool(goes_on) and frame_of(subject, without_stops=True).pulled

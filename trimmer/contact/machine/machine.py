@@ -8,7 +8,7 @@ import numpy as np
 from trimmer.arrays import Integers, Places, Reals
 from trimmer.contact.machine.control_arrays import control_arrays
 from trimmer.contact.machine.curve_arrays import curve_arrays
-from trimmer.contact.machine.statuses import FREE, PULLS, RELAXES, TRUNCATES
+from trimmer.contact.machine.statuses import PULLS, RELAXES, TRUNCATES
 from trimmer.contact.state.frame import Frame
 from trimmer.contact.state.laid_out import layout_of
 from trimmer.contact.state.layout import Layout
@@ -114,11 +114,6 @@ def machine_of(mechanism: Mechanism, frame: Frame | None = None) -> tuple[Machin
 def relaxing_springs(machine: Machine) -> list[tuple[int, int]]:
     """Return the contacts with a relaxing spring, each with the place of its z in the extended state."""
     return [(contact, int(z)) for contact, z in enumerate(machine.relaxing_state) if z != NO_STATE]
-
-
-def free_springs(machine: Machine, statuses: tuple[int, ...]) -> list[tuple[int, int]]:
-    """Return those of ``relaxing_springs`` that touch nothing, and so relax by themselves."""
-    return [(contact, z) for contact, z in relaxing_springs(machine) if statuses[contact] == FREE]
 
 
 def _base(mechanism: Mechanism, layout: Layout, rows: Rows) -> Reals:

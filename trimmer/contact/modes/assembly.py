@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from trimmer.arrays import Places, Reals
-from trimmer.contact.machine.machine import Machine, free_springs, relaxing_springs
+from trimmer.contact.machine.machine import Machine, relaxing_springs
 from trimmer.contact.machine.statuses import (
     ALWAYS,
     BROKEN,
@@ -31,6 +31,7 @@ from trimmer.contact.modes.curves import add_curves, functions_of_curves
 from trimmer.contact.modes.impulses import first_wall
 from trimmer.hybrid.dry_friction import elementary_vectors, independent
 from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, NO_STATE, STRUCK, EventFunction, ModeEquations
+from trimmer.kept_property import cached_property
 
 PUSHING = (PLUS, MINUS, ALWAYS)  # Statuses of a contact that exerts a force
 SIDES = {PLUS: 1, RELEASED_PLUS: 1, MINUS: -1, RELEASED_MINUS: -1}
@@ -63,14 +64,21 @@ class Assembler:
     _of_contact: dict[tuple[int, int], tuple[EventFunction, ...]] = field(default_factory=dict, init=False)
     _holdings: dict[tuple[int, ...], _Holding] = field(default_factory=dict, init=False)
 
+    @cached_property
+    def _springs(self) -> list[tuple[int, int]]:
+        return relaxing_springs(self.machine)
+
+    @cached_property
+    def _rates(self) -> dict[int, float]:
+        return {contact: _rate(self.machine, contact) for contact, _ in self._springs}
+
     def mode(self, statuses: tuple[int, ...]) -> ModeEquations:
         """Return the equations of a mode, by the statuses of contacts, frictions, curves, controls, walls."""
         machine = self.machine
         contacts, bodies = len(machine.stiffness), machine.contact_push.shape[1]
         flow = flow_without_stick(machine, statuses)
         hold = np.eye(len(flow))
-        springs = relaxing_springs(machine)
-        for contact, z in springs:
+        for contact, z in self._springs:
             if statuses[contact] in PUSHING:
                 hold[z] = machine.contact_distance[contact]
                 hold[z, -1] -= offset(machine, contact, statuses[contact])
@@ -96,7 +104,6 @@ class Assembler:
                 functions.append(EventFunction(contacts + friction, ARRIVED, row))
         functions += functions_of_curves(machine, statuses)
         functions += functions_of_walls(machine, statuses, self.period)
-        relaxing = {contact: _rate(machine, contact) for contact, _ in springs}
         settled = (FREE if each == RELAXING else each for each in statuses[:contacts])
         return ModeEquations(
             statuses,
@@ -106,9 +113,9 @@ class Assembler:
             held=tuple(machine.holds[sticking].tolist()) if sticking else (),
             settled=(*settled, *statuses[contacts:]),
             decay=np.array(
-                [relaxing[each] if statuses[each] == RELAXING else 0.0 for each in range(contacts)]
+                [self._rates[each] if statuses[each] == RELAXING else 0.0 for each in range(contacts)]
             ),
-            decayed=tuple((z, relaxing[contact]) for contact, z in free_springs(machine, statuses)),
+            decayed=tuple((z, self._rates[each]) for each, z in self._springs if statuses[each] == FREE),
         )
 
     def _of_contacts(self, statuses: tuple[int, ...]) -> Iterator[EventFunction]:
@@ -288,8 +295,10 @@ def _limits(
 
 def _of_stick(holding: _Holding, sticking: Sequence[int], forces: Reals) -> Iterator[EventFunction]:
     """Yield how far what sticks is from its limits, by the forces of those that hold the others too."""
-    every = np.zeros((len(sticking), forces.shape[1]))
-    every[np.searchsorted(sticking, holding.tree)] = forces
+    every = forces
+    if len(forces) < len(sticking):
+        every = np.zeros((len(sticking), forces.shape[1]))
+        every[np.searchsorted(sticking, holding.tree)] = forces
     for owner, signs, vector, limit in holding.limits:
         row = vector @ every
         row[-1] += limit

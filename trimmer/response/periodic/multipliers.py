@@ -19,15 +19,17 @@ MISPLACED = 4.0  # By how many times its estimate an orbit may be misplaced
 def multipliers_of(shot: Shot) -> tuple[Complexes, Reals]:
     """Return the eigenvalues of the derivative of a return, by falling modulus, and their rounding."""
     felt = shot.course.modes.system.layout.independent
-    matrix = (shot.monodromy * shot.sizes / shot.sizes[:, None])[np.ix_(felt, felt)]
+    matrix = shot.monodromy * shot.sizes / shot.sizes[:, None]
+    if len(felt) < len(matrix):
+        matrix = matrix[np.ix_(felt, felt)]
     if not np.isfinite(matrix).all():
         raise np.linalg.LinAlgError("the derivative of the return is not finite")
     values = np.linalg.eigvals(matrix).astype(complex)
     values = values[np.argsort(-abs(values), kind="stable")]
     rounding = ROUNDING * (1 + len(shot.course.events)) + min(shot.miss, CLOSED)
-    margins = np.zeros(len(values))
+    margins, largest = np.zeros(len(values)), abs(values).max(initial=0.0)
     for each, condition in zip(*_conditions(matrix), strict=True) if len(values) else ():
-        nearest = np.argmin(abs(values - each) + (margins > 0) * abs(values).max())
+        nearest = np.argmin(abs(values - each) + (margins > 0) * largest)
         margins[nearest] = rounding * condition
     return values, margins
 

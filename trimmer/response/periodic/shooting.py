@@ -101,7 +101,8 @@ def _shortest(matrix: Reals, right: Reals) -> Reals:
 
     So of the motions that friction or a free position allows side by side, Newton's method finds the nearest.
     """
-    if np.linalg.cond(matrix) * SINGULAR > 1.0:
+    values = np.linalg.svd(matrix, compute_uv=False)
+    if values[0] * SINGULAR >= values[-1]:
         return np.asarray(np.linalg.lstsq(matrix, right, rcond=SINGULAR)[0], float)
     return np.asarray(np.linalg.solve(matrix, right), float)
 
