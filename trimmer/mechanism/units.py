@@ -1,8 +1,8 @@
 """Quantities as text with a unit, such as ``40 um`` or ``3.5 N s/m``, in SI units.
 
 A unit is a product of factors, then perhaps quotients: ``N s/m``, ``kg m``, ``m/s/s``. A factor is a name,
-perhaps with a prefix and a power: ``mm^2``, ``s²``. After a quotient no product follows, since ``N/m s`` may
-be read in two ways. Numbers are multiplied as fractions, so that ``40 um`` is exactly the number ``40e-6``.
+perhaps with a prefix and a power: ``mm^2``, ``s²``. After a quotient a product stands in brackets, as in
+``N/(m s)``, since ``N/m s`` may be read in two ways. Numbers are multiplied as fractions, so that ``40 um`` is exactly the number ``40e-6``.
 """
 
 from __future__ import annotations
@@ -72,6 +72,8 @@ _UNITS = {
     "Ns": MeasurementUnit(Fraction(1), (1, 1, -1, 0)),
     "deg": MeasurementUnit(Fraction(1, 180), (0, 0, 0, 1), 1),
     "°": MeasurementUnit(Fraction(1, 180), (0, 0, 0, 1), 1),
+    "arcmin": MeasurementUnit(Fraction(1, 60 * 180), (0, 0, 0, 1), 1),
+    "arcsec": MeasurementUnit(Fraction(1, 3600 * 180), (0, 0, 0, 1), 1),
     **{
         prefix + name: MeasurementUnit(size * unit.scale, unit.dimension)
         for name, (unit, allowed) in _PREFIXED.items()
@@ -84,13 +86,22 @@ _UNITS = {
 def unit(text: str) -> MeasurementUnit:
     """Read a unit that can be read in one way only."""
     numerator, *denominators = text.replace("**", "^").split("/")
-    result = _ONE
-    for factor in re.split(r"\s*[*·⋅]\s*|\s+", numerator.strip()):
-        result *= _factor(factor, text)
+    result = _product(numerator, text)
     for denominator in denominators:
-        if re.search(r"\S[\s*·⋅]+\S", denominator):
-            raise UnitError(f"unit {text!r} can be read in two ways: write products first, as in 'N s/m'")
-        result *= _factor(denominator.strip(), text) ** -1
+        bracketed = re.fullmatch(r"\s*\((.*)\)\s*", denominator)
+        if bracketed is None and re.search(r"\S[\s*·⋅]+\S", denominator):
+            raise UnitError(
+                f"unit {text!r} can be read in two ways: write products first, as in 'N s/m', or in brackets, "
+                "as in 'N/(m s)'"
+            )
+        result *= _product(bracketed[1] if bracketed else denominator, text) ** -1
+    return result
+
+
+def _product(text: str, whole: str) -> MeasurementUnit:
+    result = _ONE
+    for factor in re.split(r"\s*[*·⋅]\s*|\s+", text.strip()):
+        result *= _factor(factor, whole)
     return result
 
 
