@@ -103,10 +103,10 @@ def harmonic_balance(
     N get parallel there faster than linearly, as without damping; give the range that matters then. Where
     the system does not tell its poles and zeros, as by the coefficients of a high order, that is a doubt.
 
-    An element without bounds, as one of python-control's or a user's own, is searched on a grid
-    (``trimmer.balance.sampled``), and the certificate says that nothing is proven then. So it is with a plant
-    that is known at some frequencies alone: limit cycles are predicted between these, each with a bound of
-    what the interpolation leaves open (``bounds``), and never beyond them.
+    An element without bounds, as one of python-control's or a user's own, or a relay beside what saturates,
+    is searched on a grid (``trimmer.balance.sampled``), and the certificate says that nothing is proven then.
+    So it is with a plant that is known at some frequencies alone: limit cycles are predicted between these,
+    each with a bound of what the interpolation leaves open (``bounds``), and never beyond them.
 
     Of a ``Feedback`` of several elements, or with frictions, the odd harmonics up to an order are balanced by
     Newton's method from starts on a grid (``trimmer.balance.many_harmonics``); there is no certificate, the

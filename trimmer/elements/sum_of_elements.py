@@ -1,5 +1,6 @@
 """A sum of elements that share one input."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
@@ -13,6 +14,7 @@ from trimmer.arrays import Complexes, Reals
 from trimmer.elements.control_element import adopted
 from trimmer.elements.element import Bounds, Element, Limits
 from trimmer.elements.expansion import Expansion
+from trimmer.kept_property import cached_property
 
 
 @final
@@ -48,8 +50,25 @@ class SumOfElements(Element):
 
     @property
     def has_bounds(self) -> bool:
-        """Whether all terms have bounds."""
-        return all(term.has_bounds for term in self.terms)
+        """Whether all terms have bounds, and N is bounded, or proportional to 1/A at all amplitudes."""
+        return all(each.has_bounds for each in self._single_terms) and not self._grows_unevenly
+
+    @property
+    def _single_terms(self) -> tuple[Element, ...]:
+        """The terms, those of sums among them."""
+        found: tuple[Element, ...] = ()
+        for term in self.terms:
+            found += term._single_terms if isinstance(term, SumOfElements) else (term,)
+        return found
+
+    @cached_property
+    def _grows_unevenly(self) -> bool:
+        """Whether N grows without bound as the amplitude falls, and not like 1/A alone."""
+        if self.depends_on_frequency or math.isfinite(min(float(self.domain()), self.constant_from)):
+            return False
+        amplitudes = self.amplitude_scale * np.array([1.0, 0.25, 3.0])
+        first, *others = amplitudes * self.describing_function(amplitudes)
+        return not np.allclose(others, first, rtol=1e-12, atol=0.0)
 
     @property
     def constant_from(self) -> float:

@@ -151,7 +151,8 @@ class ThresholdRelay(Element):
 
     def _sensitivity(self, u: Limits, omega: Limits) -> Bounds:
         """Bound |dN/du| up to some u by c (1/cos α + 1/cos ρ); infinite at u = 1."""
-        return ROUNDED_UP * self._size * sum(1.0 / np.cos(angle) for angle in self._angles(u[1])), 0.0
+        steepest = ROUNDED_UP * self._size * sum(1.0 / np.cos(angle) for angle in self._angles(u[1]))
+        return np.where(self._still(u), 0.0, steepest), 0.0
 
     def _variation(self, u: Limits, omega: Limits) -> Bounds:
         """Bound the change of dN/du between two u; infinite at u = 1.
@@ -162,7 +163,7 @@ class ThresholdRelay(Element):
         for first, last in zip(*map(self._angles, u), strict=True):
             steepness = np.sqrt(4.0 + np.tan(last) ** 2) / np.cos(last)
             total += (np.abs(last - first) + _ROUNDING) * steepness
-        return ROUNDED_UP * self._size * total, 0.0
+        return np.where(self._still(u), 0.0, ROUNDED_UP * self._size * total), 0.0
 
     def _reach(self, u: Limits, omega: Limits) -> Reals:
         """Bound how far N is from its value in the middle of two u, by the chords of the two circles."""
@@ -172,7 +173,11 @@ class ThresholdRelay(Element):
             chord = np.maximum(*(np.sin(np.abs(end - centre)) for end in ends)) + _ROUNDING
             total += chord / abs(ratio) if abs(ratio) > _SMALLEST_RATIO else _widest(u)
         leaves = (u[1] > 1.0) & (self.hysteresis > 0)
-        return np.where(leaves, np.inf, ROUNDED_UP * self._size * total)
+        return np.where(self._still(u), 0.0, np.where(leaves, np.inf, ROUNDED_UP * self._size * total))
+
+    def _still(self, u: Limits) -> Flags:
+        """Return where the relay rests in its dead zone at all u between two; it does at u = 1 already."""
+        return np.asarray(self.rests & (u[0] >= 1.0))
 
     def _angles(self, u: Reals) -> tuple[Reals, Reals]:
         """Return α and ρ for some u; those of u = 1 beyond that."""

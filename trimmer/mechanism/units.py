@@ -2,7 +2,8 @@
 
 A unit is a product of factors, then perhaps quotients: ``N s/m``, ``kg m``, ``m/s/s``. A factor is a name,
 perhaps with a prefix and a power: ``mm^2``, ``s²``. After a quotient a product stands in brackets, as in
-``N/(m s)``, since ``N/m s`` may be read in two ways. Numbers are multiplied as fractions, so that ``40 um`` is exactly the number ``40e-6``.
+``N/(m s)``, since ``N/m s`` may be read in two ways. Numbers are multiplied as fractions, so that ``40 um``
+is exactly the number ``40e-6``.
 """
 
 from __future__ import annotations
@@ -91,8 +92,8 @@ def unit(text: str) -> MeasurementUnit:
         bracketed = re.fullmatch(r"\s*\((.*)\)\s*", denominator)
         if bracketed is None and re.search(r"\S[\s*·⋅]+\S", denominator):
             raise UnitError(
-                f"unit {text!r} can be read in two ways: write products first, as in 'N s/m', or in brackets, "
-                "as in 'N/(m s)'"
+                f"unit {text!r} can be read in two ways: write products first, as in 'N s/m', or in "
+                "brackets, as in 'N/(m s)'"
             )
         result *= _product(bracketed[1] if bracketed else denominator, text) ** -1
     return result

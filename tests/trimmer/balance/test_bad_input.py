@@ -6,8 +6,8 @@ import control
 import numpy as np
 import pytest
 
-from tests.trimmer.balance.loops import FRICTION, THESIS_LOOP, THIRD_ORDER, s
-from trimmer import Relay, Saturation, ViscousFriction, limit_cycles
+from tests.trimmer.balance.loops import FRICTION, THESIS_LOOP, s
+from trimmer import Relay, ViscousFriction, limit_cycles
 from trimmer.errors import FrequencyRangeError, LinearElementError, UnsupportedElementError
 from trimmer.linear import UnsupportedSystemError
 
@@ -41,12 +41,6 @@ def test_a_system_that_cannot_be_used(G, message: str) -> None:
             for each in (ViscousFriction(1.0), -2.0 * ViscousFriction(1.0), Relay(1.0) - Relay(1.0))
         ),
         (THESIS_LOOP, 3, UnsupportedElementError, "3 is not an element"),
-        (
-            THIRD_ORDER,
-            Relay(1.0) + Saturation(1.0),
-            UnsupportedElementError,
-            "unbounded and not proportional",
-        ),
         # 1/(s + 1) with -s added to s + 1 leaves the gain 1.
         (1 / (s + 1), Relay(1.0) - ViscousFriction(1.0), UnsupportedSystemError, "cancels the highest deriv"),
     ],

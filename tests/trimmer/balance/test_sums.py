@@ -6,10 +6,19 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.optimize import brentq
 
-from tests.trimmer.balance.loops import GAP, THESIS_LOOP, s
+from tests.trimmer.balance.loops import GAP, THESIS_LOOP, THIRD_ORDER, s
 from tests.trimmer.trimmers import exact_response
-from trimmer import CoulombFriction, ViscousBacklash, ViscousFriction, limit_cycles
+from trimmer import (
+    CoulombFriction,
+    Relay,
+    Saturation,
+    ViscousBacklash,
+    ViscousFriction,
+    harmonic_balance,
+    limit_cycles,
+)
 from trimmer.elements import Element, FrictionBacklash
 
 
@@ -74,3 +83,30 @@ def test_limit_cycles_of_a_sum_scale_with_length_and_force(length: float, stiffn
     reference = cycles(1.0, 1.0)
     assert len(reference) == 1
     assert cycles(length, stiffness) == pytest.approx(np.array(reference), rel=1e-10)
+
+
+@pytest.mark.parametrize("hysteresis", [0.0, 0.1])
+def test_a_relay_that_does_not_switch_leaves_the_certificate(hysteresis: float) -> None:
+    plain, beside = Saturation(0.15), Relay(0.1, dead_zone=2.3, hysteresis=hysteresis)
+    alone, both = (harmonic_balance(40 / (s + 1) ** 3, each) for each in (plain, plain + beside))
+    assert both.certificate.complete
+    assert [(each.amplitude, each.omega) for each in both.limit_cycles] == [
+        pytest.approx((each.amplitude, each.omega), rel=1e-12) for each in alone.limit_cycles
+    ]
+
+
+@pytest.mark.parametrize("level", [0.1, 1.0])
+def test_a_relay_beside_what_saturates_is_searched_on_a_grid(level: float) -> None:
+    """N grows without bound, and not like 1/A; 1/(s (s + 1) (s + 2)) is -1/6 at sqrt(2)."""
+    found = harmonic_balance(30 * THIRD_ORDER, Relay(level) + Saturation(0.15) + Saturation(0.4))
+    assert not found.certificate.complete
+    (cycle,) = found.limit_cycles
+
+    def gain(amplitude: float) -> float:
+        ratios = np.array([0.15, 0.4]) / amplitude
+        return (
+            4 * level / amplitude + 2 * (np.arcsin(ratios) + ratios * np.sqrt(1 - ratios**2)).sum()
+        ) / np.pi
+
+    expected = brentq(lambda amplitude: gain(amplitude) - 0.2, 0.4, 100.0, xtol=1e-14)
+    assert (cycle.amplitude, cycle.omega) == pytest.approx((expected, np.sqrt(2.0)), rel=1e-10)
