@@ -69,10 +69,14 @@ end
 
 local function figure(div)
   local image = div.content[1].content[1]
+  local opening, closing = "#picture(%s, alt: %s)[", "] <"
+  if div.classes:includes("floating") then
+    opening, closing = "#floating(picture(%s, alt: %s)[", "]) <"
+  end
   return wrapped(
-    ("#picture(%s, alt: %s)["):format(quoted(image.src), quoted(pandoc.utils.stringify(image.caption))),
+    opening:format(quoted(image.src), quoted(pandoc.utils.stringify(image.caption))),
     { table.unpack(div.content, 2) },
-    "] <" .. div.identifier .. ">"
+    closing .. div.identifier .. ">"
   )
 end
 
@@ -183,11 +187,9 @@ function Div(div)
   end
 end
 
--- Some chapters begin on a page of their own. Levels are shifted after this filter: a chapter is still of level 2.
-local with_break = { certificate = true }
-
+-- Some chapters and sections begin on a page of their own.
 function Header(header)
-  if header.level == 2 and (with_break[header.identifier] or header.classes:includes("breaking")) then
+  if header.classes:includes("breaking") then
     return { raw("#pagebreak(weak: true)"), header }
   end
 end

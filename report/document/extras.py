@@ -41,7 +41,7 @@ class ExtraChapter:
 class Highlight:
     """A finding that matters most: where it stands (ids of claims or places), and what to do.
 
-    ``sentence`` and ``action`` are Markdown; the grade shown is that of the first place.
+    ``sentence`` and ``action`` are Markdown.
     """
 
     places: tuple[str, ...]

@@ -9,8 +9,8 @@ from report.overview.opening_figure import opening_figure
 BOUND = 1.0  # Of friction in the thesis, N
 
 SENTENCES = (
-    "The trimmer was computed again, with a bridge that pushes back on the motor. With it "
-    "play brings harmonics of the drive, subharmonics and chaos."
+    "Computed again with a bridge that pushes back on the motor, a trimmer with play has "
+    "harmonics of the drive, subharmonics and chaos."
 )
 
 
@@ -29,18 +29,17 @@ def _highlights(known: Evidence) -> tuple[Highlight, ...]:
             ("txt-5.2.1-open-loop-peak",),
             "In a trimmer nothing feeds the output back to the pin, so it does not have the predicted limit "
             "cycles.",
-            f"Do not expect an oscillation at {known.cycles.friction.stable.frequency:.0f} Hz.",
+            f"Expect no oscillation at {known.cycles.friction.stable.frequency:.0f} Hz.",
         ),
         Highlight(
             ("twin-main",),
-            f"With 0.2 mm of play and 2 N of friction at {main.frequency:.0f} Hz the trimmer repeats only "
-            f"after {main.period_count} drive periods, so its spectrum has lines at thirds of the drive.",
-            "Look for peaks between the harmonics too.",
+            f"With 0.2 mm of play and 2 N of friction at {main.frequency:.0f} Hz the motion repeats only "
+            f"after {main.period_count} drive periods.",
+            "Look for peaks at thirds of the drive.",
         ),
         Highlight(
             ("txt-3.3-open-loop-odd",),
-            "Spectra measured with play have even harmonics. The thesis's model has none, whatever its "
-            "parameters.",
+            "Spectra measured with play have even harmonics. The thesis's model cannot have them.",
             "Use a model whose motion need not be symmetric.",
         ),
         Highlight(

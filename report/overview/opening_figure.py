@@ -24,7 +24,7 @@ def opening_figure(known: Evidence) -> Figure:
         "A map over gap and friction. Up to about a tenth of a millimetre the motion repeats with the drive; "
         "beyond it mostly does not repeat, but for an island around 0.2 mm and 1 to 2 newtons."
     )
-    caption = "Exact motions from rest, contact both ways. Circle: 40 µm and 0.5 N; square: 0.2 mm and 2 N."
+    caption = "From rest. Circle: 40 µm and 0.5 N; square: 0.2 mm and 2 N."
     return drawn(NAME, TITLE, caption, words, lambda: _map(known))
 
 

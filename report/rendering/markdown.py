@@ -30,11 +30,12 @@ HALF_LINE_OF_WORDS = 110
 MANY_PARTS = 6
 """From so many parts on words may be half as long again: one below the other, the parts would fill a page."""
 ERRATA_LINE = 15.0  # Width of a line of a formula on the errata sheet, in em
+WORKS = "bibliography"  # The piece with the works that all others cite
 REPORT = (
     *("opening", "citing", "advice", "roots", "balance", "answers", "twin"),
-    *("future_work", "derived", "certificate", "bibliography"),
+    *("future_work", "derived", WORKS, "certificate"),
 )
-"""Pieces of the report to be read, in their order, last the works that all cite; then come the cards."""
+"""Pieces of the report to be read, in their order; then come the cards."""
 CARDS = ("method",)  # Pieces before the cards of the chapters
 BACK = ("programs", "explorable", "spread", "derivation", "nomenclature", "errata")
 """Pieces that follow the chapters."""
@@ -63,12 +64,12 @@ def to_markdown(document: Document) -> dict[str, str]:
         "errata": errata.by_severity(errata.errata(document)),
     }
     template = _environment().get_template
-    own = (*REPORT[:-1], *CARDS, *BACK)
-    written = {name: template(f"{name}.md.j2").render(content) for name in own}
+    own = (*REPORT, *CARDS, *BACK)
+    written = {name: template(f"{name}.md.j2").render(content) for name in own if name != WORKS}
     sections = _sections(document, template("section.md.j2"), content)
     citing = "".join((*written.values(), *sections.values()))
     content["works"] = [work for work in works() if f"(#ref-{work.name})" in citing]
-    written[REPORT[-1]] = template(f"{REPORT[-1]}.md.j2").render(content)
+    written[WORKS] = template(f"{WORKS}.md.j2").render(content)
     pieces = (
         {name: written[name] for name in (*REPORT, *CARDS)}
         | sections

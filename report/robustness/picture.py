@@ -13,7 +13,7 @@ from report.robustness.variation import PredictionSensitivity
 
 BARS: Final = 4  # Parameters shown for each quantity
 COLUMNS: Final = 2
-ROW_HEIGHT: Final = 1.3
+ROW_HEIGHT: Final = 1.15
 
 
 def bars(sensitivities: Sequence[PredictionSensitivity]) -> Figure:

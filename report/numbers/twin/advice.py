@@ -108,13 +108,12 @@ LINES: Final = (
             Bound("motor at most 50 m/s²", MOTOR, at_most=50.0),
             Bound("housing at most 20 m/s²", HOUSING, at_most=20.0),
             Bound("impacts at most 0.5 m/s", IMPACT, at_most=0.5),
-            Bound("force of the bridge at most 3 N", FORCE_OF_BRIDGE, at_most=3.0),
+            Bound("bridge at most 3 N", FORCE_OF_BRIDGE, at_most=3.0),
         ),
     ),
     Advice(
         "little-friction",
-        "If it has to be 105 to 115 Hz with the bridge as it is, keep friction below 0.25 N and the gap "
-        "below 0.04 mm",
+        "At 105 to 115 Hz with the bridge as it is keep friction below 0.25 N and the gap below 0.04 mm",
         "From rest, from 0.05 N of friction on.",
         True,
         NOMINAL,
@@ -130,7 +129,7 @@ LINES: Final = (
         NOMINAL,
         _near,
         BOUNDED,
-        (Bound("the motor may reach 230 m/s², though at most 260", MOTOR, at_most=260.0),),
+        (Bound("the motor may reach 230 m/s², at most 260", MOTOR, at_most=260.0),),
     ),
 )
 """What is advised, in the order of the first screen."""
