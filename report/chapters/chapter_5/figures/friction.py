@@ -89,14 +89,14 @@ def three_panels(known: Evidence) -> Figure:
         },
         "right term, change in $F_c/(k_2 b)$": {f"{load:g}": right(load * k2, k2, 1.0) for load in LOADS},
     }
-    figure, grid = panels(6.4, 2, 2)
+    figure, grid = panels(5.4, 2, 2)
     for axes, (title, family) in zip(grid.flat, families.items(), strict=True):
         locus(axes, known.numbers.displacement_only)
         element_curve(axes, FrictionBacklash(1.0), "no friction", LINES[5])
         for line, (name, element) in zip(LINES[1:], family.items(), strict=False):
             element_curve(axes, element, name, line)
         frame(axes, title, (-6, 3), (-9, 9), left=axes in grid[:, 0])
-        axes.legend(loc="upper left", ncols=2)
+        axes.legend(loc="upper left", ncols=3, handlelength=1.2, columnspacing=0.8)
     return figure
 
 
@@ -123,7 +123,7 @@ def without_force(known: Evidence) -> Figure:
 def one_force(known: Evidence) -> Figure:
     system, k2 = known.numbers.displacement_only, known.numbers.parameters.k2
     (cycle,) = known.cycles.equivalent.listing
-    figure = new_figure(6.2)
+    figure = new_figure(4.8)
     whole, near, spectrum = figure.subplot_mosaic([[0, 1], [2, 2]], height_ratios=(5, 4)).values()
     for axes in (whole, near):
         locus(axes, system)

@@ -36,7 +36,7 @@ def linear_time_response(known: Evidence) -> Figure:
 @figure("fig-5.2")
 def bode_plot(known: Evidence) -> Figure:
     system, both = known.numbers.displacement_only, known.numbers.both_channels
-    figure, (upper, lower) = panels(4.6, 2, sharex=True)
+    figure, (upper, lower) = panels(4.0, 2, sharex=True)
     for each, label, line in (
         (system, "displacement only (thesis)", LINES[0]),
         (both, "displacement and velocity", LINES[1]),

@@ -34,7 +34,7 @@ FLOOR: Final = 0.1  # Smallest line that is shown, µm
 
 @figure("fig-5.7")
 def three_gaps(known: Evidence) -> Figure:
-    figure, grid = panels(4.8, len(GAPS), len(SHOWN), sharex=True, sharey=True)
+    figure, grid = panels(3.9, len(GAPS), len(SHOWN), sharex=True, sharey=True)
     for run in known.motion.closed.impulses.runs:
         axes = grid[GAPS.index(run.gap), SHOWN.index(run.impulse)]
         _band(axes, run.times, 1e9 * run.output)
