@@ -58,7 +58,7 @@ def _motions(known: Evidence, shown: str) -> Figure:
         stroke.plot(times, 1e3 * run.output[part], label=name, **look)
         guard.plot(times, 1e6 * run.guard[part], **look)
     stroke.set(ylabel="$q_2 - q_4$ [mm]", ylim=(-1.9, 2.6))
-    stroke.legend(loc="upper right", ncols=2)
+    stroke.legend(loc="upper left", ncols=2)
     guard.set(ylabel="guard, $q_4$ [µm]", xlabel="time [ms]", xlim=(0, 1e3 * SHOWN_TIME))
     return figure
 
