@@ -8,7 +8,8 @@ import os
 import shutil
 import signal
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser
     from xdist.remote import Producer
     from xdist.scheduler import LoadFileScheduling
+
+    from tests.report.rendering.page_checks import Visit
 
 # The same examples in every run and on every computer; how long one takes depends on the computer.
 settings.register_profile(
@@ -147,6 +150,15 @@ def browser(chromium: str) -> Iterator[Browser]:
 
     with chromium_browser(chromium) as browser:
         yield browser
+
+
+@pytest.fixture(scope="session")
+def window(browser: Browser) -> Iterator[Callable[..., Visit]]:
+    """Pages of a process, by whether scripts run and by name: to lead one on costs less than to open it."""
+    from tests.report.rendering.page_checks import opened
+
+    with ExitStack() as pages:
+        yield functools.cache(lambda scripts=True, _name="": pages.enter_context(opened(browser, scripts)))
 
 
 @pytest.fixture(scope="session")

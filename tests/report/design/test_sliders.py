@@ -2,8 +2,7 @@
 
 import json
 import re
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import ExitStack
+from collections.abc import Callable, Mapping
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -11,26 +10,19 @@ from playwright.sync_api import Page, expect
 from report.design.report import DesignReport
 from report.design.tables.judged import target_rows
 from report.pages.formats import Format
-from tests.report.rendering.page_checks import SCHEMES, Scheme, Visit, lead, opened, violations
+from tests.report.rendering.page_checks import Visit, lead, violations
 
 pytestmark = pytest.mark.browser
 MOST_BYTES = 2_000_000
 
 
 @pytest.fixture
-def visit(browser, files: Mapping[Format, str | bytes], tmp_path) -> Iterator[Callable[..., Visit]]:
+def visit(window, files: Mapping[Format, str | bytes], tmp_path) -> Callable[..., Visit]:
     path = tmp_path / "desk.html"
     content = files[Format.HTML]
     assert isinstance(content, str)
     path.write_text(content, "utf-8")
-    with ExitStack() as pages:
-
-        def load(scripts: bool = True, **options: object) -> Visit:
-            visit = pages.enter_context(opened(browser, scripts))
-            lead(visit, path.as_uri() + "#sliders", **options)
-            return visit
-
-        yield load
+    return lambda scripts=True, **options: lead(window(scripts), path.as_uri() + "#sliders", **options)
 
 
 def told(page: Page) -> str:
@@ -77,9 +69,8 @@ def test_without_a_script_there_is_a_sentence_and_no_slider(visit: Callable[...,
     assert page.locator(".explorable input").count() == 0
 
 
-@pytest.mark.parametrize("scheme", SCHEMES)
-def test_they_are_legible_on_a_phone(visit: Callable[..., Visit], scheme: Scheme) -> None:
-    page = visit(width=390, scheme=scheme).page
+def test_they_are_legible_on_a_phone(visit: Callable[..., Visit]) -> None:
+    page = visit(width=390).page
     assert violations(page, ".explorable") == []
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
 

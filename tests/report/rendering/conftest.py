@@ -1,18 +1,17 @@
 """One rendering of the sample report, and one browser, for all tests that look at them."""
 
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import ExitStack
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Page
 
 from report.cache.stage_store import StageStore
 from report.document.document import Document
 from report.pages.formats import Format
 from report.rendering.render import render
 from tests.report.made_once import MadeOnce
-from tests.report.rendering.page_checks import Visit, lead, opened, visited
+from tests.report.rendering.page_checks import Visit, lead
 from tests.report.rendering.sample import sample
 
 
@@ -35,26 +34,22 @@ def address(rendered: Mapping[Format, Path]) -> str:
 
 
 @pytest.fixture
-def visit(browser: Browser, address: str) -> Iterator[Callable[..., Visit]]:
-    """Open the sample in a page of its own: ``visit(end, width=…, scheme=…, scripts=…)``.
+def visit(window: Callable[..., Visit], address: str) -> Callable[..., Visit]:
+    """Bring a page to the sample: ``visit(end, width=…, scheme=…, scripts=…)``; ``end`` follows its address.
 
-    ``end`` follows its address. No page has anything of another test's, so that none fails for another.
+    What is left of another test is gone then, so that none fails for another.
     """
-    with ExitStack() as pages:
 
-        def load(end: str = "", scripts: bool = True, **options: object) -> Visit:
-            visit = pages.enter_context(opened(browser, scripts))
-            lead(visit, address + end, **options)
-            return visit
+    def load(end: str = "", scripts: bool = True, **options: object) -> Visit:
+        return lead(window(scripts), address + end, **options)
 
-        yield load
+    return load
 
 
 @pytest.fixture(scope="module")
-def shared(browser: Browser, address: str) -> Iterator[Page]:
+def shared(window: Callable[..., Visit], address: str) -> Page:
     """The sample in one page for the tests of a file that need nothing of what is before.
 
     Each of them begins with what undoes the others: it searches, focuses or moves anew.
     """
-    with visited(browser, address) as visit:
-        yield visit.page
+    return lead(window(True, "shared"), address).page

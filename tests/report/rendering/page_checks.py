@@ -144,11 +144,11 @@ def opened(browser: Browser, scripts: bool = True) -> Iterator[Visit]:
         context.close()
 
 
-def lead(visit: Visit, address: str, width: int = 1440, scheme: Scheme = "light") -> None:
-    """Bring a page to an address, with nothing remembered from another visit."""
+def lead(visit: Visit, address: str, width: int = 1440, scheme: Scheme = "light") -> Visit:
+    """Bring a page to an address, with nothing remembered from another visit, and return it."""
     page = visit.page
     if page.url != EMPTY:
-        page.evaluate("localStorage.clear()")
+        page.evaluate("localStorage.clear(); sessionStorage.clear()")
         page.goto(EMPTY)  # or else the same address with another fragment would load nothing
     page.mouse.move(0, 0)
     page.set_viewport_size({"width": width, "height": HEIGHT})
@@ -156,14 +156,14 @@ def lead(visit: Visit, address: str, width: int = 1440, scheme: Scheme = "light"
     visit.requests.clear()
     visit.complaints.clear()
     page.goto(address)
+    return visit
 
 
 @contextmanager
 def visited(browser: Browser, address: str, width: int = 1440, scheme: Scheme = "light") -> Iterator[Visit]:
     """Open a page of its own at an address."""
     with opened(browser) as visit:
-        lead(visit, address, width, scheme)
-        yield visit
+        yield lead(visit, address, width, scheme)
 
 
 def unfold(page: Page) -> None:

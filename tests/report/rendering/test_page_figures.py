@@ -2,12 +2,11 @@
 
 import math
 import re
-from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, Locator, Page, expect
+from playwright.sync_api import Locator, Page, expect
 
-from tests.report.rendering.page_checks import unfold, visited
+from tests.report.rendering.page_checks import unfold
 from tests.report.rendering.sample_figures import PEAK
 
 pytestmark = pytest.mark.browser
@@ -16,10 +15,9 @@ LOCUS, SPECTRUM, BLOCKS = "drawing-fig-5.1", "drawing-fig-5.2", "drawing-fig-2.3
 
 
 @pytest.fixture(scope="module")
-def page(browser: Browser, address: str) -> Iterator[Page]:
-    with visited(browser, address) as visit:
-        unfold(visit.page)  # or else the page moves when what is above a figure is laid out
-        yield visit.page
+def page(shared: Page) -> Page:
+    unfold(shared)  # or else the page moves when what is above a figure is laid out
+    return shared
 
 
 def drawing(page: Page, name: str) -> Locator:
