@@ -154,12 +154,13 @@ class BallMotion:
         """The period as computed, s."""
         return sum((each.duration for each in self.segments), arb(0))
 
-    def at(self, off: arb) -> BallMotion:
-        """Return the motion at a value that is so much larger, in units of it."""
+    def at(self, off: arb, varied: bool = True) -> BallMotion:
+        """Return the motion at a value that is so much larger, in units of it; varied on, or fixed."""
         assert self.slopes is not None
         found = copy.copy(self)
         found.tables = self.tables.combined(off, self.slopes)
-        found.segments = self._segments(found.tables)
+        found.slopes = self.slopes if varied else None
+        found.segments = found._segments(found.tables)
         return found
 
     @cached_property
@@ -227,9 +228,9 @@ class BallMotion:
                 that is varied less its value, in its unit.
             with_change: Whether the derivative is wanted too.
         """
-        if self.slopes is not None and not unknown[-1].is_zero():
-            fixed = [*unknown[:-1], arb(0)]
-            return self.at(unknown[-1]).follow(fixed, with_change)
+        if self.slopes is not None and not (with_change and unknown[-1].is_zero()):
+            fixed = [*unknown[:-1], *[arb(0)] * with_change]
+            return self.at(unknown[-1], with_change).follow(fixed, with_change)
         n, size, unknowns = self.n, self.count, self.unknowns if with_change else 0
         columns, later = self._first(unknown, unknowns)
         total, elapsed = arb(0), arb(0)
@@ -350,9 +351,9 @@ def _moved(segment: Segment, columns: arb_mat, late: arb) -> arb_mat:
     return found + arb_mat([off for _ in range(found.nrows())])
 
 
-def _event(segment: Segment, row: arb_mat, y: arb_mat) -> tuple[arb, arb]:
+def _event(segment: Segment, row: arb_mat, z: arb_mat) -> tuple[arb, arb]:
     """Enclose how much later an event function falls to zero, and its rate there."""
-    flow, first, z = segment.lifted[0], arb(0), y
+    flow, first = segment.lifted[0], arb(0)
     for _ in range(5):
         value, rate = (row * z)[0, 0], (row * (flow * z))[0, 0]
         if not rate < 0:
@@ -360,12 +361,11 @@ def _event(segment: Segment, row: arb_mat, y: arb_mat) -> tuple[arb, arb]:
         following = arb((first - value / rate).mid())
         if (following - first).contains(0) or value.contains(0):
             break
-        first, z = following, _moved(segment, y, following)
+        first, z = following, _moved(segment, z, following - first)
     value = (row * z)[0, 0]
     reach = arb((4 * (value / rate).abs_upper()).upper()) + arb(2) ** (3 * RADIUS)
     slope = (row * (flow * _moved(segment, z, about(reach))))[0, 0]
     late = -value / slope
     if not (slope < 0 and about(reach).contains_interior(late)):
         raise UndecidedError("an event time is not enclosed")
-    late = first + late
-    return late, (row * (flow * _moved(segment, y, late)))[0, 0]
+    return first + late, (row * (flow * _moved(segment, z, late)))[0, 0]

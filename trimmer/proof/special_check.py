@@ -25,7 +25,7 @@ from trimmer.proof.returning import (
     first_guess,
     in_sizes,
     narrowed,
-    newton,
+    nearer,
     scales,
     solve,
 )
@@ -56,10 +56,12 @@ def check_special_point(data: StatedSpecialPoint) -> str:
 def _about_zero(motion: BallMotion, plane: Plane, test: Test) -> tuple[list[arb], arb]:
     """Find about where a test is zero, by secants; return the unknowns and the height."""
     guess, seen, height = first_guess(motion), list[tuple[arb, arb]](), arb(0)
+    over = motion.follow(guess, True)
     for _ in range(MOST_SECANTS):
         here = plane.at(height)
-        guess = newton(motion, here, guess)
-        seen.append((height, arb(test(motion, motion.follow(guess, True), here).mid())))
+        guess, _ = nearer(motion, here, guess, over)
+        over = motion.follow(guess, True)
+        seen.append((height, arb(test(motion, over, here).mid())))
         following = height + arb(2) ** -30 if len(seen) == 1 else _secant(*seen[-2:])
         if following is None or abs(following - height) < arb(2) ** (HALF - 20):
             return guess, height

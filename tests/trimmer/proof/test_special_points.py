@@ -114,6 +114,7 @@ def found(name: str) -> tuple[FollowedBranch, SpecialPoint]:
     return branch, next(each for each in branch.special if each.kind.word == kind)
 
 
+@cache
 def proven(name: str) -> Proof:
     return prove_special_point(BRANCHES[name][0](), *found(name))
 
