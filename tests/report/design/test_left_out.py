@@ -75,9 +75,9 @@ def test_a_search_that_was_ended_early_says_so_in_its_verdict(tmp_path: Path) ->
     store = StageStore(tmp_path)
     text = example_text("oscillator-stop") + '[targets]\nstroke_at_least = "1 km"\n'
     design = looked_at(design_file_of_text(text, "open.toml"), TINY, SerialRunner(), store, lambda *_: None)
-    ended = replace(design, cut=((Stage.REMEDIES, ()),))
+    report, ended = report_on(design, store, "2026-03-01"), replace(design, cut=((Stage.REMEDIES, ()),))
     for each, early in ((design, False), (ended, True)):
-        verdict = to_markdown(report_on(each, store, "2026-03-01"))["verdict"].replace("\\", "")
+        verdict = to_markdown(replace(report, design=each))["verdict"].replace("\\", "")
         assert verdict.count("was found, in the time that was allowed, that meets all") == 2 * early
         assert ("computed, fewer than planned, as the time was over" in verdict) is early
 

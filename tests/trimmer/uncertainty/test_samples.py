@@ -49,13 +49,13 @@ SETTINGS = SampleSettings(count=10, seed=4, most_periods=60)
 STROKE = MeasureOfPart(Measure.STROKE, "x")
 
 
-def sampled(file: SampleFile, settings: SampleSettings, **others) -> Samples:
-    return sample(file.subject, file.uncertainty, settings, targets=file.targets, **others)
+def sampled(file: SampleFile, settings: SampleSettings, runner=SerialRunner(), **others) -> Samples:  # noqa: B008
+    return sample(file.subject, file.uncertainty, settings, targets=file.targets, runner=runner, **others)
 
 
 @pytest.fixture(scope="module")
 def samples():
-    return sampled(FILE, SETTINGS, runner=SerialRunner())
+    return sampled(FILE, SETTINGS)
 
 
 def test_each_is_what_respond_finds(samples) -> None:
@@ -84,10 +84,10 @@ def test_who_does_them_changes_no_digit(samples) -> None:
 
 def test_a_killed_run_goes_on_to_the_same(samples, tmp_path) -> None:
     path = tmp_path / "samples.jsonl"
-    assert sampled(FILE, SETTINGS, runner=SerialRunner(), keeping=Keeping(path)).trials == samples.trials
+    assert sampled(FILE, SETTINGS, keeping=Keeping(path)).trials == samples.trials
     lines = path.read_bytes().splitlines(keepends=True)
     path.write_bytes(b"".join(lines[:5]) + lines[5][:20])  # as a killed run leaves it
-    resumed = sampled(FILE, SETTINGS, runner=SerialRunner(), keeping=Keeping(path, resume=True))
+    resumed = sampled(FILE, SETTINGS, keeping=Keeping(path, resume=True))
     assert resumed.trials == samples.trials
     assert sorted(path.read_bytes().splitlines()) == sorted(line.rstrip() for line in lines)
 
@@ -105,7 +105,7 @@ def test_a_file_of_others_is_kept(tmp_path) -> None:
 
 def test_the_header_says_all_that_samples_depend_on(tmp_path) -> None:
     path = tmp_path / "samples.jsonl"
-    found = sampled(FILE, SETTINGS, runner=SerialRunner(), keeping=Keeping(path))
+    found = sampled(FILE, SETTINGS, keeping=Keeping(path))
     header = json.loads(path.read_text().splitlines()[0])
     assert header["places"] == ["stops.stop.gap", "links.spring.stiffness"]
     assert header["settings"] == {"count": 10, "plan": "latin-hypercube", "seed": 4, "most_periods": 60}
@@ -159,7 +159,7 @@ def test_what_was_drawn_and_found_is_told(samples) -> None:
 def test_what_the_file_only_gives_a_range_of_is_named() -> None:
     text = TEXT.replace("stiffness = 4.0", 'stiffness = "3.9 N/m..4.1 N/m"')
     ranged = sample_file_of_text("\n".join(text.splitlines()[:-1]), "stop.toml")
-    found = sampled(ranged, SampleSettings(count=1, most_periods=20), runner=SerialRunner())
+    found = sampled(ranged, SampleSettings(count=1, most_periods=20))
     assert "Of links.spring.stiffness the file only gives a range" in found.message
 
 
@@ -176,7 +176,7 @@ def test_impossible_samples_are_refused_or_told() -> None:
     with pytest.raises(UncertaintyError, match=r"% of the samples are impossible.*must be zero or greater"):
         sampled(wide, SETTINGS)
     rare = sample_file_of_text(TEXT.replace('"5 %"', '"42 %"'), "stop.toml")
-    found = sampled(rare, SampleSettings(count=130, most_periods=2), runner=SerialRunner())
+    found = sampled(rare, SampleSettings(count=130, most_periods=2))
     assert found.impossible == 1
     assert len(found.trials) == 129
     assert "1 sample that no mechanism can have was left out" in found.message
