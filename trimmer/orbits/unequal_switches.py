@@ -16,7 +16,7 @@ from trimmer.orbits.half_period import HalfPeriodEquation, Interval, solutions
 
 POINTS = 48  # Durations along either side of the grid
 UNEQUAL = 1e-4  # Relative difference of the durations below which the orbit is a symmetric one
-SOLVED = 1e-8  # Largest value of the switching function, relative to the sum of moduli, at both switches
+SOLVED = 1e-8  # Largest value of the switching function, relative to the largest state, at both switches
 MOST_CELLS = 200  # Cells from which a common zero is looked for
 ITERATIONS = 8  # Of Newton's method
 DIFFERENCE = 1e-7  # Of the logarithms of durations, for the slopes
@@ -64,9 +64,10 @@ def _states(equation: HalfPeriodEquation, long: Reals, short: Reals) -> Reals:
 
 
 def _switching(equation: HalfPeriodEquation, long: Reals, short: Reals) -> Reals:
-    """Return the switching function at both switches relative to the sum of moduli; NaN if singular."""
+    """Return the switching function at both switches relative to the largest state; NaN if singular."""
     states, row = _states(equation, long, short), equation.balanced_row
-    return np.asarray((states @ row) / np.maximum(abs(states) @ abs(row), np.finfo(float).tiny))
+    largest = abs(states).max(axis=(1, 2))[:, None] * abs(row).sum()
+    return np.asarray((states @ row) / np.maximum(largest, np.finfo(float).tiny))
 
 
 def _cells(values: Reals) -> list[tuple[int, int]]:

@@ -162,8 +162,13 @@ def loop_with_unequal_switches(seed: int, positive: float, negative: float) -> c
 @pytest.mark.parametrize(
     ("seed", "positive", "negative"), quick([(0, 2.3, 1.1), (1, 2.3, 1.1), (2, 1.4, 1.2), (0, 4.0, 0.6)], 1)
 )
-def test_unequal_switches_that_a_loop_was_built_for_are_found(seed, positive, negative) -> None:
+@pytest.mark.parametrize("alone", [False, True])
+def test_unequal_switches_that_a_loop_was_built_for_are_found(seed, positive, negative, alone) -> None:
+    """In any states: the output may be one of them."""
     system = loop_with_unequal_switches(seed, positive, negative)
+    if alone:
+        states = np.vstack([system.C, scipy.linalg.null_space(system.C).T])
+        system = control.similarity_transform(system, states)
     orbits = periodic_orbits(system, Relay(1.0), [], OrbitSearch(Simulations.NEVER))
     nearest = min(orbits, key=lambda orbit: abs(orbit.period - positive - negative))
     assert nearest.period == pytest.approx(positive + negative, rel=1e-8)
