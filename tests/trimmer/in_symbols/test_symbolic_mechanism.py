@@ -246,8 +246,10 @@ def assert_sources_are_usable(mechanism):
     assert unescaped.count("{") == unescaped.count("}")
 
 
-def test_outputs_are_told_in_motions_of_bodies_and_pins():
+@pytest.mark.parametrize(("body", "q"), [(Body(1.0), "q"), (Body(inertia=1.0), r"\theta")])
+def test_outputs_are_told_in_motions_of_bodies_and_pins(body, q):
     mechanism = one_body(
+        bodies={"a": body},
         pins={"p": Pin("a", symbol="u")},
         outputs={
             "half": Output({"p": 0.5}),
@@ -256,7 +258,7 @@ def test_outputs_are_told_in_motions_of_bodies_and_pins():
             "bend": Output({"a": 1}, OutputKind.ACCELERATION),
         },
     )
-    latex = derive_mechanism_sources(mechanism).latex
+    latex = derive_mechanism_sources(mechanism).latex.replace(q, "q")
     assert r"y_{\text{half}} = \frac{q_{a}}{2} + \frac{u}{2}" in latex
     assert r"y_{\text{whole}} = q_{a} - q_{a} - u" in latex
     assert r"y_{\text{rate}} = \dot{q}_{a}" in latex
