@@ -23,7 +23,7 @@ from trimmer.messages import listed
 from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
 from trimmer.response.by_itself.orbit_by_itself import orbit_by_itself
-from trimmer.response.flows import flow_of, require_subject
+from trimmer.response.flows import flow_of, known_flow_of, require_subject
 from trimmer.response.forced_orbit import exact_orbit, require_repeating
 from trimmer.response.periodic.orbit import NEUTRAL, Orbit
 from trimmer.response.periodic.pace import pace_of, periods_of
@@ -86,7 +86,7 @@ def follow(
     begin, end = _interval(mechanism, place, start, stop)
     at_start = mechanism.with_value(place, begin)
     scale = max(abs(begin), abs(end))
-    if not flow_of(at_start).period:
+    if not known_flow_of(at_start).period:
         if periods is not None:
             raise ValueError(
                 f"periods is {periods}, but the mechanism has no drive whose periods could count"
@@ -100,7 +100,7 @@ def follow(
             return FollowedBranch(map, (), (), BranchEnd.NO_START, message)
         map, first = replace(map, periods=periods or orbit.periods), orbit.instant.state
     else:
-        first = instant_of(flow_of(at_start), real_array("state", state)).state
+        first = instant_of(known_flow_of(at_start), real_array("state", state)).state
     map = fitting(map, begin, first)
     branch = continuation(map, first, begin, end, settings)
     if branch.reason is BranchEnd.NO_START and state is None:

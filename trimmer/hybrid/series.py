@@ -210,6 +210,7 @@ def tabulate(flow: Reals, states: int, rows: Reals, target: ModeTables) -> float
         The length h of a step, s.
     """
     size = len(flow)
-    room, flat = np.empty((3, states, states)), np.zeros((2 * COUNT, size * size))
+    room, flat = np.empty((3, states, states)), np.empty((2 * COUNT, size * size))
+    flat[0] = 0.0
     flow, terms = np.ascontiguousarray(flow), flat[:COUNT].reshape(COUNT, size, size)
     return _compiled_entry(flow, rows, target, room, terms, flat)

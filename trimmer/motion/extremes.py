@@ -40,8 +40,8 @@ def turning_points(course: Course, signal: Signal) -> TurningPoints:
     first = row_of_each(course, rate(course.modes, signal))
     slopes = np.einsum("ij,ij->i", states, first[rows])
     turning = np.flatnonzero((rows[1:] == rows[:-1]) & (slopes[1:] * slopes[:-1] < 0))
-    _, firsts = np.unique(rows, return_index=True)
-    ends = np.sort(np.concatenate([firsts, firsts[1:] - 1, [len(rows) - 1]]))
+    last = np.flatnonzero(rows[1:] != rows[:-1])
+    ends = np.sort(np.concatenate([[0], last, last + 1, [len(rows) - 1]]))
     at_ends = TurningPoints(times[ends], rows[ends], along(course, signal, rows[ends], states[ends]))
     if not len(turning):
         return at_ends
@@ -63,14 +63,14 @@ def _between(
     modes = course.modes
     first, second = first[rows], row_of_each(course, rate(modes, rate(modes, signal)))[rows]
     times = (low * slope_high - high * slope_low) / (slope_high - slope_low)
-    for _ in range(NEWTON_STEPS):
-        states = course.states(times)
-        slope = np.einsum("ij,ij->i", states, first)
-        curvature = np.einsum("ij,ij->i", states, second)
-        before = slope * slope_low > 0
-        low, high = np.where(before, times, low), np.where(before, high, times)
-        with np.errstate(divide="ignore"):
+    with np.errstate(divide="ignore"):
+        for _ in range(NEWTON_STEPS):
+            states = course.states(times)
+            slope = np.einsum("ij,ij->i", states, first)
+            curvature = np.einsum("ij,ij->i", states, second)
+            before = slope * slope_low > 0
+            low, high = np.where(before, times, low), np.where(before, high, times)
             following = times - np.divide(slope, curvature, out=np.zeros_like(slope), where=slope != 0)
-        inside = (following >= low) & (following <= high)
-        times = np.where(inside, following, 0.5 * (low + high))
+            inside = (following >= low) & (following <= high)
+            times = np.where(inside, following, 0.5 * (low + high))
     return TurningPoints(times, rows, along(course, signal, rows, course.states(times)))

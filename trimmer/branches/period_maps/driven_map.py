@@ -16,7 +16,7 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.part import mirrored
 from trimmer.motion.subject import Subject
-from trimmer.response.flows import flow_of
+from trimmer.response.flows import known_flow_of
 
 DIFFERENCE = 1e-7  # Relative difference of the value from which the derivative by it is taken
 MOST_STEPS = 200_000  # Steps of a passage, after which it counts as one that cannot be followed
@@ -65,7 +65,7 @@ class DrivenMap:
     @cached_property
     def size(self) -> int:
         """Number of states."""
-        return flow_of(self.subject).size
+        return known_flow_of(self.subject).size
 
     @property
     def mechanism(self) -> Mechanism:
@@ -75,7 +75,7 @@ class DrivenMap:
     @cached_property
     def is_mirror_symmetric(self) -> bool:
         """Whether the mirror image of a motion is a motion, half a period of the drive later."""
-        return flow_of(self.subject).is_mirror_symmetric
+        return known_flow_of(self.subject).is_mirror_symmetric
 
     def flow(self, value: float) -> Flow:
         """Return the motion with a value of the number.

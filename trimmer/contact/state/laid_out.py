@@ -78,9 +78,8 @@ def layout_of(
     )
     if held := held_by(mechanism.controllers, layout.state_count):
         layout = replace(layout, held=held)
-    rows, lengths = Rows(mechanism, layout), _lengths(mechanism, contacts, layout)
-    end_rows = np.array([rows.displacement(name) for name in layout.ends])
-    return replace(layout, lengths=lengths, end_rows=end_rows)
+    end_rows = Rows(mechanism, layout).displacements()
+    return replace(layout, lengths=_lengths(mechanism, contacts, layout), end_rows=end_rows)
 
 
 def curves_of(mechanism: Mechanism) -> tuple[tuple[str, str], ...]:

@@ -30,7 +30,6 @@ class Rows:
 
     mechanism: Mechanism
     layout: Layout
-    _displacements: dict[str, Reals] = field(default_factory=dict, init=False)
     _velocities: dict[str, Reals] = field(default_factory=dict, init=False)
 
     @cached_property
@@ -46,11 +45,15 @@ class Rows:
         return self._weights[end]
 
     def displacement(self, end: str) -> Reals:
-        """Return the displacement of an end, (N,), which is kept."""
-        if end not in self._displacements:
-            self._displacements[end] = self._displacement(end)
-            self._displacements[end].setflags(write=False)
-        return self._displacements[end]
+        """Return the displacement of an end, (N,), as the layout has it."""
+        row: Reals = self.layout.end_rows[self.layout.ends.index(end)]
+        return row
+
+    def displacements(self) -> Reals:
+        """Return the displacements of all ends, (ends, N), for a layout that has none yet."""
+        found = np.array([self._displacement(name) for name in self.layout.ends])
+        found.setflags(write=False)
+        return found
 
     def _displacement(self, end: str) -> Reals:
         row, weights = np.zeros(self.layout.size), self.weights(end)

@@ -108,7 +108,9 @@ class _Beside:
     def end(self, step: Reals) -> Reals | None:
         """Return where a motion ends that begins beside the orbit, as shares of the sizes."""
         begin, flow = self.course.begin, self.flow
-        free = replace(begin, statuses=flow.set_free(begin, step * self.sizes))
+        free = begin
+        if step.any():
+            free = replace(begin, statuses=flow.set_free(begin, step * self.sizes))
         start = flow.at(begin.state + step * self.sizes, begin.phase, like=free)
         nothing = np.zeros_like(start.zeros)
         start = replace(start, zeros=nothing if step.any() else start.zeros)
