@@ -23,6 +23,7 @@ import numpy as np
 from trimmer.arrays import ArrayRecord, Flags, Reals
 from trimmer.balance.cells import Cells
 from trimmer.balance.element_curve import ElementCurve
+from trimmer.balance.exclusion import EnclosedCells
 from trimmer.balance.inverse_response import InverseResponse
 from trimmer.balance.loop import LoopEquation
 
@@ -167,8 +168,8 @@ def _is_seen_narrowly(loop: LoopEquation, pieces: _Pieces) -> Flags:
         np.minimum(pieces.x_start, pieces.x_end),
         np.maximum(pieces.x_start, pieces.x_end),
     )
-    disks = loop.curve.disks(cells)
-    enclosure = loop.response.enclose(cells.x_lower, cells.x_upper)
+    known = EnclosedCells.of(loop.response, loop.curve, cells)
+    disks, enclosure = known.disks, known.enclosure
     distance = np.abs(disks.centre + enclosure.centre)
     rounding = _ROUNDING * (np.abs(disks.centre) + np.abs(enclosure.centre))
     return np.asarray(disks.radius + enclosure.radius + rounding < _NARROWEST * distance)

@@ -273,6 +273,8 @@ def test_numbers_have_places_and_loops_are_told_apart_by_their_names() -> None:
         assert loop.with_value(place, value).value(place) == pytest.approx(value, rel=1e-15)
     with pytest.raises(LoopError, match=r"elements\.friction\.static = 0\.01: static must not be less"):
         loop.with_value("elements.friction.static", 0.01)
+    summed = Feedback(SERVO, {**ELEMENTS, "sat": ELEMENTS["sat"] + Relay(0.1)})
+    assert summed.with_value("elements.sat.1.level", 0.2).value("elements.sat.1.level") == 0.2
     copy = pickle.loads(pickle.dumps(loop))
     assert loop_as_data(copy) == loop_as_data(loop)
     assert simulate(copy, 0.3).events == simulate(loop, 0.3).events

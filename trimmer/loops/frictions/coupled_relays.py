@@ -35,7 +35,7 @@ class CoupledRelays:
         relays = [k for k in range(len(system.components)) if attracting(system, k)]
         members, directions = _dependent(relays, [direction(system, k) for k in relays])
         influence = np.array([[_row(system, i) @ system.B[:, j] for j in members] for i in members])
-        scales = symmetrizing_scales(influence)
+        scales = symmetrizing_scales(influence.reshape(2 * (len(members),)))
         if scales is None:
             nothing = np.array([])
             return cls((), nothing, nothing, nothing)
@@ -114,8 +114,6 @@ def _dependent(relays: list[int], directions: list[Reals]) -> tuple[tuple[int, .
 def symmetrizing_scales(influence: Reals) -> Reals | None:
     """Return s > 0 for which an influence, (m, m), over s by column is symmetric; None if none is."""
     scales, unknown = np.ones(len(influence)), set(range(len(influence)))
-    if not unknown:
-        return scales
     noise = DEPENDENT * np.sqrt(np.outer(influence.diagonal(), influence.diagonal()))
     while unknown:
         reached = [unknown.pop()]

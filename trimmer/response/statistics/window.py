@@ -80,7 +80,7 @@ class Watched:
             square = mean_of(self.squares[:, place] - 2 * mean * self.means[:, place] + mean**2)
             # At most half of peak to peak: of what stands far from zero the difference is rounding.
             root = min(float(np.sqrt(max(square.value, 0.0))), 0.5 * self.peak_to_peak[name])
-            found[name] = Estimate(root, square.uncertainty / (2 * root) if root else 0.0)
+            found[name] = _rooted(root, square)
         return found
 
     @cached_property
@@ -112,7 +112,7 @@ class Watched:
         for place, name in enumerate(self.flow.accelerations):
             square = mean_of(self.accelerations[:, place])
             root = float(np.sqrt(square.value))
-            found[name] = Estimate(root, square.uncertainty / (2 * root) if root else 0.0)
+            found[name] = _rooted(root, square)
         return found
 
     @property
@@ -202,6 +202,11 @@ def joined(first: Watched, second: Watched) -> Watched:
         name: np.concatenate([getattr(first, name), getattr(second, name)]) for name in series
     }
     return replace(first, end=second.end, ending=second.ending, **both)
+
+
+def _rooted(root: float, square: Estimate) -> Estimate:
+    """Return a root with the uncertainty that its square hands on."""
+    return Estimate(root, square.uncertainty / (2 * root or 1.0))
 
 
 def _row(flow: Flow, instant: Instant, together: int, unit: float) -> Course:
