@@ -24,7 +24,6 @@ from trimmer.balance.linear_part import LinearGain
 
 _EPSILON = float(np.finfo(float).eps)
 _ROUNDED_UP = 1.0 + 1e-12
-_POWERS_OF_J = np.array([1.0, 1.0j, -1.0, -1.0j])
 
 
 @dataclass(frozen=True)
@@ -145,14 +144,18 @@ def _polynomials(
     return _at_j_omega(numerator), _at_j_omega(denominator), math.ldexp(1.0, octave)
 
 
+def _powers_of_j(count: int) -> Complexes:
+    return np.array([1j ** (power % 4) for power in range(count)])
+
+
 def _at_j_omega(coefficients: Reals) -> BoundedPolynomial:
-    values = coefficients * _POWERS_OF_J[np.arange(coefficients.size) % 4]
+    values = coefficients * _powers_of_j(coefficients.size)
     return BoundedPolynomial(values, _EPSILON * _parts(values))
 
 
 def _multiplied_out(roots: Complexes) -> BoundedPolynomial:
     """Return the product of (s - root) at s = j omega, with bounds of its rounding."""
-    powers = _POWERS_OF_J[np.arange(roots.size + 1) % 4]
+    powers = _powers_of_j(roots.size + 1)
     coefficients = np.atleast_1d(np.poly(roots))[::-1]
     sizes = (2.0 + roots.size) * _EPSILON * np.atleast_1d(np.poly(-np.abs(roots)))[::-1]
     bounds = _parts(sizes * powers) if np.isrealobj(coefficients) else (1.0 + 1.0j) * sizes
