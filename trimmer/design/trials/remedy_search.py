@@ -8,7 +8,7 @@ is computed under all conditions, as far as there is time; where it breaks, the 
 
 import itertools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from enum import IntEnum
 
@@ -319,9 +319,7 @@ def _order(place: str) -> int:
 
 def _interleaved(lists: Sequence[Sequence[str]]) -> list[str]:
     """Return the first of each list, then the second, and so on, each place once."""
-    longest = max(map(len, lists), default=0)
-    order: Iterator[str] = (each[at] for at in range(longest) for each in lists if at < len(each))
-    return list(dict.fromkeys(order))
+    return list(dict.fromkeys(filter(None, itertools.chain(*itertools.zip_longest(*lists)))))
 
 
 def _factors(place: str, each_side: int) -> Reals:
