@@ -98,7 +98,8 @@ def _of_modes(A: Reals) -> Iterator[Reals]:
         clusters = [upper[row] for row in np.unique(together, axis=0)]
         with suppress(np.linalg.LinAlgError):  # They cannot be told apart so finely.
             states = np.hstack([_basis(balanced, cluster, upper) for cluster in clusters])
-            if np.linalg.matrix_rank(states / np.linalg.norm(states, axis=0)) == len(A):
+            full = np.linalg.matrix_rank(states / np.linalg.norm(states, axis=0)) == len(A)
+            if full and states.shape == A.shape:  # Where poles are rounding, so is whose motions are whose.
                 yield units[0][:, None] * states
 
 

@@ -124,6 +124,25 @@ def test_orbits_are_the_same_however_far_states_are_mixed(mixing: float) -> None
     assert [one.steadiness for one in found] == [one.steadiness for one in expected]
 
 
+@pytest.mark.filterwarnings("ignore::trimmer.UndecidedWarning", "ignore::trimmer.errors.OrbitNotFoundWarning")
+def test_equal_poles_among_mixed_states_hide_no_digit_in_any_unit_of_time() -> None:
+    """Their modes act on each other. Of four whose digits mixing has hidden nothing is found, without an error."""
+    plain, relay = control.ss(control.tf([8.0], [1.0, 3.0, 3.0, 1.0])), Relay(1.0, 0.1)
+    search = OrbitSearch(Simulations.NEVER)
+    units = np.array([1.0, 1e2, 1e4])
+    other = control.ss(
+        4e3 * units[:, None] * plain.A / units, 4e3 * units[:, None] * plain.B, plain.C / units, 0
+    )
+    (expected,), (found,) = (
+        periodic_orbits(each, relay, search=search) for each in (plain, mixed_states(other, 3))
+    )
+    assert 4e3 * found.period == pytest.approx(expected.period, rel=1e-10)
+    lost = control.tf([16e20], np.poly([-1e5, -1.0001e5, -1e5, -2e5]))
+    assert not periodic_orbits(
+        mixed_states(control.ss(lost), 3), relay, search=OrbitSearch(Simulations.NEVER)
+    )
+
+
 def begun(orbit: PeriodicOrbit, load: bool) -> tuple[np.ndarray, float]:
     """State of the linear system far from events, and the output that sets the element's own states.
 
