@@ -138,7 +138,7 @@ def test_equal_poles_among_mixed_states_hide_no_digit_in_any_unit_of_time() -> N
     )
     assert 4e3 * found.period == pytest.approx(expected.period, rel=1e-10)
     lost = control.tf([16e20], np.poly([-1e5, -1.0001e5, -1e5, -2e5]))
-    periodic_orbits(mixed_states(control.ss(lost), 3), relay, search=search)
+    periodic_orbits(mixed_states(control.ss(lost), 3), Saturation(0.1), search=search)
 
 
 def begun(orbit: PeriodicOrbit, load: bool) -> tuple[np.ndarray, float]:
