@@ -280,7 +280,7 @@ end
 -- How a heading stands on a page concerns print alone.
 function Header(header)
   header.classes = header.classes:filter(function(class)
-    return class ~= "flowing"
+    return class ~= "breaking"
   end)
   return header
 end

@@ -113,7 +113,7 @@ LINES: Final = (
     ),
     Advice(
         "little-friction",
-        "At 105 to 115 Hz with the bridge as it is keep friction below 0.25 N and the gap below 0.04 mm",
+        "At 105 to 115 Hz with the bridge as it is, keep friction below 0.25 N and the gap below 0.04 mm",
         "From rest, from 0.05 N of friction on.",
         True,
         NOMINAL,

@@ -81,7 +81,7 @@ class Small:
 
 TEMPLATE = """
 {% from "design/macros.md.j2" import table, figure with context %}
-## {{ texts[0] | plain }} {#one .flowing}
+## {{ texts[0] | plain }} {#one}
 
 {{ texts[0] }} and {{ bold }}.
 

@@ -95,6 +95,12 @@ def test_headings_are_nested_without_a_gap(outline: Outline) -> None:
     assert all(after <= before + 1 for before, after in itertools.pairwise(levels))
 
 
+def test_every_chapter_stands_in_the_contents(text: str, outline: Outline) -> None:
+    contents = text[text.index("<nav") : text.index("</nav>")]
+    chapters = [attributes["id"] for tag, attributes in outline.elements if tag == "h2" and attributes]
+    assert len(chapters) > 10 and [each for each in chapters if f'href="#{each}"' not in contents] == []
+
+
 def test_plain_text_is_shown_as_it_is(outline: Outline) -> None:
     headings = [text.replace("\xa0", " ") for _, text in outline.headings]
     assert f"Equation 2.8: velocity of the pin {SPECIAL}" in headings
