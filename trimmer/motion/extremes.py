@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -37,7 +38,8 @@ def largest(course: Course, signal: Signal) -> float:
 def turning_points(course: Course, signal: Signal) -> TurningPoints:
     """Return a signal at both ends of each segment and at its extremes in between."""
     times, rows, states = course.points
-    first = row_of_each(course, rate(course.modes, signal))
+    slope = cache(rate(course.modes, signal))
+    first = row_of_each(course, slope)
     slopes = np.einsum("ij,ij->i", states, first[rows])
     turning = np.flatnonzero((rows[1:] == rows[:-1]) & (slopes[1:] * slopes[:-1] < 0))
     last = np.flatnonzero(rows[1:] != rows[:-1])
@@ -46,22 +48,26 @@ def turning_points(course: Course, signal: Signal) -> TurningPoints:
     if not len(turning):
         return at_ends
     bracket = times[turning], times[turning + 1], slopes[turning], slopes[turning + 1]
-    between = _between(course, signal, first, rows[turning], bracket)
+    inside, second = rows[turning], row_of_each(course, rate(course.modes, slope))
+    between = _between(course, signal, inside, (first[inside], second[inside]), bracket)
     joined = TurningPoints._make(np.concatenate(pair) for pair in zip(at_ends, between, strict=True))
     order = np.lexsort((joined.times, joined.rows))
     return TurningPoints._make(each[order] for each in joined)
 
 
 def _between(
-    course: Course, signal: Signal, first: Reals, rows: Integers, bracket: tuple[Reals, Reals, Reals, Reals]
+    course: Course,
+    signal: Signal,
+    rows: Integers,
+    rates: tuple[Reals, Reals],
+    bracket: tuple[Reals, Reals, Reals, Reals],
 ) -> TurningPoints:
     """Return a signal where its rate is zero, by Newton's method between two times of unlike slopes.
 
-    ``first`` is the functional of the rate in each row of the log.
+    ``rates`` are the functionals of its rate and of its second rate in each of the rows of the log.
     """
     low, high, slope_low, slope_high = (each.copy() for each in bracket)
-    modes = course.modes
-    first, second = first[rows], row_of_each(course, rate(modes, rate(modes, signal)))[rows]
+    first, second = rates
     times = (low * slope_high - high * slope_low) / (slope_high - slope_low)
     with np.errstate(divide="ignore"):
         for _ in range(NEWTON_STEPS):

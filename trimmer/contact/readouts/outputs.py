@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cache
 
 import numpy as np
 
@@ -99,6 +100,7 @@ def _with_curve(modes: Modes[MechanismSystem], linear: Steady, section: str, par
 def contact_force(modes: Modes[MechanismSystem], contact: int) -> Signal:
     """Return the force of a contact by its number, N, positive where it pulls the ends together."""
 
+    @cache
     def row(mode: int) -> Reals:
         status = modes[mode].statuses[contact]
         return (

@@ -72,9 +72,9 @@ def settles_to(orbit: Orbit, states: Reals) -> bool:
     first = int(np.argmin(abs(apart[: periods + 1]).max(axis=1)))
     returns = apart[first::periods][:3]
     distances = abs(returns).max(axis=1)
-    missed = abs(returns[1:] - returns[:-1] @ orbit.monodromy.T).max(axis=1)
     if max(distances) <= ROUNDING:
         return True
+    missed = abs(returns[1:] - returns[:-1] @ orbit.monodromy.T).max(axis=1)
     farthest = orbit.growth * distances[2]
     if max(distances) > CLOSE or farthest > 1:
         return False
