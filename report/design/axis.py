@@ -9,7 +9,7 @@ from report.design.figures.over_time import motion_over_time
 from report.design.quantities import percent, place_words, shown, written
 from report.pages.drawing.drawn import drawn
 from report.pages.figure import Figure
-from trimmer.contact.control_loops import ControlLoops, loops_of
+from trimmer.contact.control_loops import ControlLoops, instability_of, loops_of
 from trimmer.design import Design, DesignMap, FoundMotion, FoundStep, LinearState
 from trimmer.design.specification.targets import OF_STEP, Measure, unit_of_measure
 from trimmer.linear.margins import Margins
@@ -117,6 +117,12 @@ def hunting_figure(each: DesignMap, number: int) -> Figure:
         f"A map of areas. In {share} of the cells it comes to rest.",
         partial(hunting_map, each),
     )
+
+
+def instability_sentence(mechanism: Mechanism) -> str:
+    """Say that the linear loop grows, which no gap and no friction has caused; empty if it does not."""
+    told = instability_of(mechanism)
+    return f"{told[:1].upper()}{told[1:]}. Choose other gains before another gap or friction." if told else ""
 
 
 def loop_rows(state: LinearState, mechanism: Mechanism) -> Rows:

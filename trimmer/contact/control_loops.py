@@ -283,7 +283,7 @@ def loops_of(mechanism: Mechanism, open_contacts: Collection[str] = ()) -> Itera
         yield sampled_loops(mechanism, open_contacts)
 
 
-def instability_told(mechanism: Mechanism) -> str:
+def instability_of(mechanism: Mechanism) -> str:
     """Say that the linear loops are unstable with contacts closed; empty if not, or if samples differ."""
     # Beside sampled controllers, what continuous ones do alone tells nothing of the whole.
     found = [*loops_of(mechanism)][-1] if mechanism.controllers else None
@@ -292,6 +292,12 @@ def instability_told(mechanism: Mechanism) -> str:
     growing = found.rates[np.argmax(found.rates.real)]
     turns = f" at {abs(growing.imag) / math.tau:.4g} Hz" if growing.imag else ""
     return (
-        "controllers: the linear loop is unstable with contacts closed and friction left out: it grows by e "
-        f"in {1.0 / found.grows:.3g} s{turns}; choose other gains, 'trimmer linear' shows margins"
+        "the linear loop is unstable with contacts closed and friction left out: it grows by e in "
+        f"{1.0 / found.grows:.3g} s{turns}"
     )
+
+
+def instability_told(mechanism: Mechanism) -> str:
+    """Say so, and what to do; empty if it is not."""
+    told = instability_of(mechanism)
+    return f"controllers: {told}; choose other gains, 'trimmer linear' shows margins" if told else ""

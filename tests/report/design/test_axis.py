@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from report.design.axis import loop_rows, loop_sentence
+from report.design.axis import instability_sentence, loop_rows, loop_sentence
 from report.design.markdown import to_markdown
 from report.design.origin import origin_of
 from report.design.pictures import pictures
@@ -137,6 +137,8 @@ def test_what_is_unstable_is_not_said_to_stay_so() -> None:
     (state,) = linear_states(mechanism)
     (row,) = loop_rows(state, mechanism)[1:]
     assert row[1].startswith("limit at 0.") and row[4].startswith("grows by e in")
+    assert "it grows by e in" in instability_sentence(mechanism)
+    assert instability_sentence(Mechanism.from_toml_text(SAMPLED)) == ""
 
 
 CONTACTOR = Path(__file__).parents[3] / "examples" / "contactor.toml"
