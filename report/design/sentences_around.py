@@ -18,6 +18,7 @@ from trimmer.design.specification.targets import Measure
 from trimmer.design.trials.sensitivity import Sensitivity
 from trimmer.design.trials.trial import MeasureOfPart
 from trimmer.maps.cells import described
+from trimmer.mechanism.parts import OutputKind
 from trimmer.response.periodic.pace import period_word
 from trimmer.response.results.response import MotionKind
 
@@ -116,7 +117,7 @@ def first_changes(design: Design) -> Markdown:
         entry = next((each for each in ranked if _is_smooth(each, asked)), ranked[0])
         size = entry.of(asked)
         assert size is not None
-        wanted = asked.measure is Measure.STROKE
+        wanted = _shall_rise(asked, design)
         way = "raise" if (size.value > 0) == wanted else "lower"
         effect = "raises" if wanted else "lowers"
         told.append(
@@ -128,6 +129,16 @@ def first_changes(design: Design) -> Markdown:
             )
         )
     return Markdown("\n").join(told)
+
+
+def _shall_rise(asked: MeasureOfPart, design: Design) -> bool:
+    """Say whether more of a measure is better: as a target says, or of how far an output goes."""
+    mine = (asked.measure, asked.part)
+    bounds = [each for each in design.verdict.judged if (each.target.measure, each.target.part) == mine]
+    if bounds:
+        return min(bounds, key=lambda each: each.margin).target.at_least
+    outputs = design.file.mechanism.outputs
+    return asked.measure is Measure.STROKE and outputs[asked.part].kind is OutputKind.DISPLACEMENT
 
 
 def _is_smooth(sensitivity: Sensitivity, asked: MeasureOfPart) -> bool:

@@ -16,6 +16,7 @@ from trimmer.drawing.look import plain_label
 from trimmer.mechanism.linear.outputs import Contacts
 
 OUTPUT_HEIGHT, FORCE_HEIGHT, BAR_HEIGHT = 2.2, 1.7, 0.28
+TALLEST = 7.0  # Height of all curves together, with which heading and words stand on the same page
 BARS = {"contact": "#0072b2", "stick": "#d55e00"}
 
 
@@ -29,7 +30,8 @@ def motion_over_time(signals: MotionSignals) -> Figure:
         *((OUTPUT_HEIGHT, each, unit) for unit, each in _by_unit(signals.outputs, signals.units, "m")),
         *((FORCE_HEIGHT, each, unit) for unit, each in _by_unit(signals.forces, signals.force_units, "N")),
     ]
-    heights = [*(height for height, *_ in curves), *([0.4 + BAR_HEIGHT * len(rows)] if rows else [])]
+    lower = TALLEST / max(sum(height for height, *_ in curves), TALLEST)
+    heights = [*(lower * height for height, *_ in curves), *([0.4 + BAR_HEIGHT * len(rows)] if rows else [])]
     figure, all_axes = panels(
         sum(heights) + 0.4, len(heights), 1, sharex=True, height_ratios=heights, squeeze=False
     )

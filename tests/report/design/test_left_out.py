@@ -11,6 +11,7 @@ from report.design.building import looked_at, report_on
 from report.design.markdown import to_markdown
 from report.design.progress import ProgressLines
 from report.design.report import DesignReport
+from report.design.sentences_around import first_changes
 from trimmer import MechanismError, SerialRunner
 from trimmer.deadline import Deadline
 from trimmer.design import DesignFile, DesignSettings, Stage
@@ -121,3 +122,19 @@ def test_a_servo_that_hunts_has_no_drive_periods(tmp_path: Path) -> None:
     assert "comes to a motion of its own that repeats after 105.68 ms" in text
     assert "one play, one friction and one controller" in text
     assert "drive period" not in text
+
+
+def test_what_is_bounded_from_above_shall_fall(tmp_path: Path) -> None:
+    text, store = example_text("oscillator-stop"), StageStore(tmp_path)
+    for key, way in (("stroke_at_least", "raise"), ("peak_to_peak_at_most", "lower")):
+        file = design_file_of_text(f"{text}[targets]\n{key} = 1.0\n", "bound.toml")
+        design = looked_at(file, TINY, SerialRunner(), store, lambda *_: None)
+        assert first_changes(design).startswith(f"- To {way} the **peak to peak of ")
+
+
+def test_what_moves_by_itself_is_told_to_have_no_maps_and_no_changes(tmp_path: Path) -> None:
+    text, store = example_text("block-on-belt"), StageStore(tmp_path)
+    file = design_file_of_text(f'{text}[targets]\npeak_to_peak_at_most = "1 um"\n', "belt.toml")
+    design = looked_at(file, TINY, SerialRunner(), store, lambda *_: None)
+    pieces = to_markdown(report_on(design, store, "2026-03-01"))
+    assert "changes were not sought" in pieces["verdict"] and "moves by itself" in pieces["maps"]
