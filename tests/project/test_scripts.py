@@ -36,9 +36,12 @@ print(json.dumps(told))
 
 
 def scripts() -> list[str]:
+    """Return all but the programs of peers, which ``make peers`` runs, each by a Python that has the peer."""
     found = []
     for folder in ("benchmarks", "scripts", "report"):
         for path in sorted((PROJECT / folder).rglob("*.py")):
+            if path.match("peers/with_*.py"):
+                continue
             if path.name == "__main__.py" or MARK in path.read_text("utf-8").splitlines():
                 found.append(path.relative_to(PROJECT).as_posix())
     return found

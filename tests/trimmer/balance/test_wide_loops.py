@@ -106,7 +106,7 @@ def outcomes(seed: int, places: range) -> Counter[Outcome]:
 
 
 def test_no_limit_cycle_of_random_loops_is_missed() -> None:
-    assert outcomes(23, range(100))[Outcome.COMPLETE] >= 80
+    assert outcomes(23, range(50))[Outcome.COMPLETE] >= 40
     assert {wide_loop((23, place)).kind for place in range(50)} == set(Kind)
 
 
