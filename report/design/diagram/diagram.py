@@ -51,6 +51,10 @@ def mechanism_diagram(mechanism: Mechanism) -> Figure:
     return figure
 
 
+def _wrapped(name: str, width: int, lines: int) -> str:
+    return plain_label("\n".join(textwrap.wrap(name, width, max_lines=lines, placeholder="…")))
+
+
 def _pushes(force: Force) -> bool:
     return bool(mean_of(force) or force.profile) or is_driven(force)
 
@@ -126,10 +130,10 @@ class _Drawing:
     def body(self, name: str, number: int) -> None:
         left, right = self.geometry.edges[number + 1]
         bottom, top = self.ends(name)
-        words = plain_label("\n".join(textwrap.wrap(name.removesuffix("."), 9, max_lines=4, placeholder="…")))
         if name in self.mechanism.points:
-            self.point(words, (left + right) / 2, bottom, top)
+            self.point(_wrapped(name, SHORT, 2), (left + right) / 2, bottom, top)
             return
+        words = _wrapped(name.removesuffix("."), 9, 4)
         fill = COLOURS[number % len(COLOURS)]
         if (structure := self.mechanism.structures.get(name.removesuffix("."))) and name.endswith("."):
             kind, mass = Kind.TRANSLATION, f"{len(structure.names)} {'modes' if structure.modes else 'dof'}"
@@ -246,7 +250,7 @@ class _Drawing:
                 else shown(part.viscous, unit("N s/m"))
             ),
         }[run.joint.section]()
-        name = plain_label("\n".join(textwrap.wrap(run.joint.name, 16, max_lines=2, placeholder="…")))
+        name = _wrapped(run.joint.name, SHORT, 2)
         self.axes.text(x, y + 0.24, name, ha="center", va="bottom", fontsize=SMALL, linespacing=0.9)
         self.axes.text(x, y - 0.25, number, ha="center", va="top", fontsize=SMALL)
 

@@ -1,6 +1,7 @@
 """What comes out over one number of a mechanism, or over two: branch, range, influences, map."""
 
 import itertools
+import textwrap
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -125,6 +126,7 @@ def over_range(
 
 
 MOST = 7  # Bars for each measure
+LONGEST_TITLE = 22  # Characters that stand above bars which leave half of a panel to their names
 
 
 def influences(sensitivities: Sensitivities, asked: Sequence[tuple[MeasureOfPart, str]]) -> Figure:
@@ -141,7 +143,7 @@ def influences(sensitivities: Sensitivities, asked: Sequence[tuple[MeasureOfPart
         axes.invert_yaxis()
         axes.axvline(0.0, color=BLACK, linewidth=0.7)
         axes.grid(visible=False, axis="y")
-        axes.set_title(plain_label(name))
+        axes.set_title(plain_label("\n".join(textwrap.wrap(name, LONGEST_TITLE))))
         axes.set_xlabel("per cent for one per cent")
     for axes in flat[len(asked) :]:
         axes.set_axis_off()

@@ -98,6 +98,18 @@ def test_names_of_parts_stand_in_the_drawing(mechanism: Mechanism) -> None:
         assert name.split()[0] in words
 
 
+def test_names_of_points_stand_above_them_within_the_drawing() -> None:
+    text = "bodies = { a = { inertia = 1.0 }, b = { inertia = 1.0 } }\n[points]\n"
+    text += "".join(f'{each}_of_a_flank = {{ {each} = "1 mm" }}\n' for each in "ab")
+    text += '[plays]\nmesh = { between = ["a_of_a_flank", "b_of_a_flank"], stiffness = 1.0, gap = 1.0 }\n'
+    with style():
+        figure = mechanism_diagram(Mechanism.from_toml_text(text))
+        figure.draw_without_rendering()
+    texts = {each.get_text(): each.get_window_extent() for each in figure.axes[0].texts}
+    assert {"a_of_a_flank", "b_of_a_flank"} <= {each.replace("\\", "") for each in texts}
+    assert max(each.y1 for each in texts.values()) <= figure.bbox.y1
+
+
 def test_many_bodies_are_placed_without_trying_every_order() -> None:
     names = [f"b{n}" for n in range(12)]
     layout = linked([*pairwise([GROUND, *names])])
