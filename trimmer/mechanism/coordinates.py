@@ -91,25 +91,20 @@ class Inertia:
     matrix: Reals
 
     @cached_property
-    def _coupled(self) -> Flags:
-        """The coordinates whose accelerations depend on forces on others, (n,)."""
+    def _coupled(self) -> tuple[Flags, Reals] | None:
+        """The coordinates whose accelerations depend on forces on others, (n,), and the inverse of theirs."""
         off = self.matrix != 0.0
         np.fill_diagonal(off, False)
-        return np.asarray(off.any(axis=1))
-
-    @cached_property
-    def _couples(self) -> bool:
-        return bool(self._coupled.any())
-
-    @cached_property
-    def _inverse(self) -> Reals:
-        """The inverse of what is coupled."""
-        inverse = np.linalg.inv(self.matrix[np.ix_(self._coupled, self._coupled)])
-        return np.asarray(0.5 * (inverse + inverse.T))
+        coupled = off.any(axis=1)
+        if not coupled.any():
+            return None
+        inverse = np.linalg.inv(self.matrix[np.ix_(coupled, coupled)])
+        return coupled, 0.5 * (inverse + inverse.T)
 
     def accelerations(self, forces: Reals) -> Reals:
         """Return M⁻¹ times forces, (n,) or (n, columns)."""
         found: Reals = (forces.T / self.matrix.diagonal()).T
-        if self._couples:
-            found[self._coupled] = self._inverse @ forces[self._coupled]
+        if self._coupled is not None:
+            coupled, inverse = self._coupled
+            found[coupled] = inverse @ forces[coupled]
         return found
