@@ -42,7 +42,9 @@ class Sides:
     @cached_property
     def differ(self) -> bool:
         """Whether distances to either side grow to different ones; what cannot be followed does not."""
-        direction = np.random.default_rng(SEED).uniform(0.5, 1.0, self.count)
+        generator = np.random.default_rng(SEED)
+        # Of both signs: in one in which two like bodies move alike, what parts them is hardly seen.
+        direction = generator.uniform(0.5, 1.0, self.count) * generator.choice([-1.0, 1.0], self.count)
         return all(_differ(*self.grown(direction, distance)) for distance in DISTANCES)
 
 

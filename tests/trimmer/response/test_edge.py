@@ -110,6 +110,30 @@ def test_an_ordinary_orbit_with_impacts_and_friction_has_both_sides_alike() -> N
     assert not respond(twin(1.0)).motion.orbit.one_sided
 
 
+TWINS = """
+frequency = 1.0
+[structures.s]
+mass = [[1.0, {shared}], [{shared}, 1.0]]
+stiffness = [[25.0, -5.0], [-5.0, 25.0]]
+damping = [[1.3, -0.3], [-0.3, 1.3]]
+coordinates = ["p", "q"]
+[frictions]
+a = {{ between = ["ground", "s.p"], force = 6.0 }}
+b = {{ between = ["ground", "s.q"], force = 6.0 }}
+[forces]
+c = {{ on = "s.p", amplitude = 30.0 }}
+d = {{ on = "s.q", amplitude = 30.0 }}
+"""
+
+
+@pytest.mark.parametrize("shared", [0.0, 0.3])
+def test_which_of_two_frictions_grips_first_matters_where_the_other_feels_it(shared: float) -> None:
+    """Two like coordinates come to rest in the same instant; a force on one moves the other by their mass."""
+    orbit = forced_orbit(Mechanism.from_toml_text(TWINS.format(shared=shared)))
+    assert orbit.success and len(orbit.course.events) == 4
+    assert orbit.one_sided == (shared != 0.0)
+
+
 SHAKEN = """
 [bodies.other]
 mass = 1.0
