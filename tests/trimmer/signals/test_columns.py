@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.trimmer.signals.reading import message_for
-from trimmer.signals import CsvLayout, DecimalSign, MissingValues, read_signal
+from trimmer.signals import MissingValues, read_signal
 
 THREE = "time [s],pin [m],pin,q2-q4 [m]\n0.0,1,2,3\n0.1,1,2,4\n"
 
@@ -61,16 +61,6 @@ def test_time_stamps_alone_are_reported(file) -> None:
     assert "holds time stamps alone" in message_for(file("t\n0\n1\n"))
 
 
-def test_decimal_commas_that_were_taken_for_delimiters_are_suspected(file) -> None:
-    path = file("0,001\n0,002\n")
-    assert "say that the comma is the decimal sign (--decimal comma)" in message_for(path, sample_rate=1)
-    layout = CsvLayout(decimal=DecimalSign.COMMA)
-    assert read_signal(path, sample_rate=1, layout=layout).values.tolist() == [0.001, 0.002]
-    assert "2 cells in the heading" not in message_for(path, sample_rate=1)
-    told = message_for(file("y\n0,001\n"), sample_rate=1)
-    assert ", line 1: 1 cell in the heading, but 2 in the data" in told
-
-
 @pytest.mark.parametrize("marker", ["", " ", "nan", "NaN", "N/A", "-", "null"])
 def test_missing_values_are_refused_or_interpolated(file, marker: str) -> None:
     rows = [f"{k}.0" for k in range(30)]
@@ -87,17 +77,6 @@ def test_the_first_missing_value_and_their_number_are_reported(file) -> None:
     assert error.startswith(", line 3: the first of 3 missing values; remove lines")
     assert "--missing interpolate" in error
     assert message_for(file("y\n1\n\n2\n"), sample_rate=1).startswith(", line 3: a value is missing")
-
-
-def test_too_many_missing_values_are_not_interpolated(file) -> None:
-    rows = ["1", "", "2", *(8 * ["3"])]
-    read_signal(file("\n".join(rows[:2] + rows[3:])), sample_rate=1, missing=MissingValues.INTERPOLATE)
-    rows[9] = ""
-    error = message_for(file("\n".join(rows)), sample_rate=1, missing=MissingValues.INTERPOLATE)
-    assert (
-        error
-        == ", line 2: the first of 2 missing values, more than 10 % of the samples, too many to interpolate"
-    )
 
 
 def test_a_column_without_any_value_is_reported(file) -> None:

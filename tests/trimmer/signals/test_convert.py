@@ -48,11 +48,6 @@ def test_offset_and_drift_do_not_matter_when_integrating() -> None:
     np.testing.assert_allclose(drifting.values, clean.values, atol=2e-3 * clean.values.std())
 
 
-def test_a_slope_becomes_a_mean_when_differentiating() -> None:
-    signal = made(exact(TIMES, 0) + 3.0 * TIMES, 0, "velocity").signal
-    np.testing.assert_allclose(signal.values, exact(signal.times, 1) + 3.0, atol=1e-3)
-
-
 @pytest.mark.parametrize("size", [0.5, 5.0, 50.0])
 def test_noise_in_the_result_is_as_told(size: float) -> None:
     """Acceleration with white noise, offset and drift; the drive has 478 m/s²."""
@@ -79,16 +74,6 @@ def test_integrated_white_noise_falls_with_the_frequency(quantity: str, integral
         white[row] = np.sqrt(density * (3000.0**power - lowest**power) / power)
     assert told[0] / told[1] == pytest.approx(white[0] / white[1], rel=0.1)
     assert (told > white).all()
-
-
-def test_noise_bounds_the_band_above_when_differentiating() -> None:
-    conversion = made(exact(TIMES, 0) + 1e-5 * NOISE, 0, "acceleration")
-    assert 330.0 < conversion.signal.trusted.highest < 1500.0
-    inside = made(exact(TIMES, 0) + 1e-5 * NOISE, 0, "acceleration", highest=700.0)
-    assert inside.signal.trusted.highest == 700.0
-    error = conversion.signal.values - exact(conversion.signal.times, 2)
-    assert 0.6 < conversion.noise / error.std() < 1.4
-    assert error.std() < 0.15 * conversion.signal.values.std()
 
 
 def test_noise_alone_is_called_that() -> None:

@@ -34,16 +34,6 @@ def test_a_clipped_record_is_told(level: float, noise: float) -> None:
     assert (one_sided.smallest, one_sided.largest) == (0, told.largest)
 
 
-def test_a_few_clipped_impacts_of_a_long_record_are_told() -> None:
-    impacts = 0.1 * SINE
-    impacts[500:504] = impacts[2500:2504] = 1.0
-    assert clipping(impacts) is not None
-
-
-def test_a_clipped_record_of_few_bits_is_told() -> None:
-    assert clipping(np.clip(np.round(200 * SINE), -128, 127)) is not None
-
-
 @pytest.mark.parametrize("bits", [3, 5, 8, 12, 16])
 @pytest.mark.parametrize("frequency", [109.8, 10.98, 1.3])
 def test_coarse_steps_are_not_taken_for_clipping_or_dropouts(bits: int, frequency: float) -> None:
@@ -101,10 +91,6 @@ def test_dropouts_are_named_with_time_and_length(held: bool) -> None:
     assert "dropout" in told.sentence and "--from" in told.sentence
 
 
-def test_a_late_start_is_a_dropout() -> None:
-    assert [fault.kind for fault in found(np.concatenate([np.zeros(300), SINE[310:]]))] == ["dropout"]
-
-
 def test_scale_and_time_do_not_matter() -> None:
     values = np.clip(SINE, -0.5, 0.8)
     one, two = clipping(values), clipping(-3e-6 * values)
@@ -131,14 +117,6 @@ def test_two_runs_are_likely_clipped_where_they_are_at_opposite_levels(high, low
     values[4000:4003] = high  # a third run
     told = clipping(values)
     assert (told.certainty, told.largest, told.runs) == (FaultCertainty.LIKELY, 7, 3)
-
-
-def test_two_runs_at_one_end_are_only_possibly_clipped_though_a_sample_is_at_the_opposite_level() -> None:
-    values = 0.1 * NOISE
-    values[500:504] = values[2500:2504] = 1.0
-    values[1500] = -1.0
-    told = clipping(values)
-    assert (told.certainty, told.runs, told.smallest) == (FaultCertainty.POSSIBLE, 2, 0)
 
 
 def test_a_record_of_nothing_but_cut_ends_does_not_tell_whether_it_is_cut() -> None:

@@ -32,30 +32,6 @@ def test_one_column_needs_no_choice(file, content) -> None:
 
 
 @pytest.mark.parametrize(
-    "content",
-    [
-        "time,y\n0.0,0.25\n0.1,-1500\n",
-        "time;y\n0,0;0,25\n0,1;-1500\n",
-        "time;y\n0.0;0.25\n0.1;-1500\n",
-        "time\ty\n0,0\t0,25\n0,1\t-1500\n",
-        'time,y\n"0,0","0,25"\n"0,1",-1500\n',
-        "time;y;\n0.0;0.25;\n0.1;-1500;\n",
-        "time;y\n0.0;0.25;\n0.1;-1500; \n",
-        "Time;y\n(ms);(m)\n\n0;0,25\n100;-1500\n",
-        "Run 3;May\nTime;y\nms;\n0;0,25\n100;-1500\n",
-        "ms;m\nTime;y\n0;0,25\n0,1;-1500\n",
-        "T [us];y [m]\n0;0,25\n100000;-1500\n",
-        "the signal, and time\ny, t\n0.25, 0.0\n-1500, 0.1\n",
-    ],
-)
-def test_time_stamps_give_the_rate(file, content: str) -> None:
-    signal = read_signal(file(content))
-    assert signal.values.tolist() == TWO
-    assert signal.sample_rate == pytest.approx(10.0, rel=1e-15)
-    assert (signal.name, signal.start) == ("y", 0.0)
-
-
-@pytest.mark.parametrize(
     ("content", "options", "message"),
     [
         ("0.0 1.0\n0.1 2.0\n", {}, ", line 1: '0.0 1.0' is several numbers; separate columns by comma"),

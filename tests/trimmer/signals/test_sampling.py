@@ -37,24 +37,6 @@ def test_rounded_stamps_are_told_with_what_they_cannot_show(file) -> None:
     assert exact.sample_rate == 44_100.0
 
 
-@pytest.mark.parametrize("digits", [".9g", ".3f"])
-def test_gaps_are_named_with_time_and_length_and_never_bridged(file, digits: str) -> None:
-    kept = np.r_[0:1000, 1400:4000]
-    path = file(text(kept / 5000, digits, np.sin(kept / 7.0)))
-    told = message_for(path)
-    assert told.startswith(", line 1002: time stamps are not at equal distances: this one comes 0.08")
-    assert "1 gap in the time stamps" in told and "--gaps split" in told
-    recording = read_recording(path, sampling=SPLIT)
-    assert [stretch.values.size for stretch in recording.stretches] == [1000, 2600]
-    assert recording.gaps[0].missing == pytest.approx(400, abs=6)
-    assert recording.gaps[0].end - recording.gaps[0].begin == pytest.approx(0.0802, abs=2e-3)
-    for stretch, samples in zip(recording.stretches, np.split(np.sin(kept / 7.0), [1000]), strict=True):
-        np.testing.assert_array_equal(stretch.values, samples)
-    longest = read_signal(path, sampling=SPLIT)
-    assert longest.start == pytest.approx(0.28, abs=1e-9)
-    assert "the longest of 2 stretches" in longest.notes[-1] and "1000 samples" in longest.notes[-1]
-
-
 def test_missing_values_can_be_gaps(file) -> None:
     rows = [f"{k},{'' if 100 <= k < 150 else k % 7}" for k in range(400)]
     path = file("t [ms],y\n" + "\n".join(rows))
@@ -113,13 +95,6 @@ def test_stamps_that_do_not_rise_are_refused_in_a_sentence(file, times, message:
     assert ignored.values.size == times.size
     assert "time stamps are left aside" in ignored.notes[0]
     assert message_for(path, sampling=Sampling("ignore")) == ": no sample rate; give it (--rate)"
-
-
-def test_a_line_with_a_serial_number_before_the_heading_is_no_data(file) -> None:
-    content = "Logger\nserial;1234\nrate;5000\nTime;Weg\ns;mm\n0,0;1\n0,1;2\n0,2;1\n"
-    signal = read_signal(file(content))
-    assert (signal.name, signal.unit, signal.values.tolist()) == ("Weg", "mm", [1.0, 2.0, 1.0])
-    assert message_for(file("t,y,state\n0,1,ok\n1,2,ok\na,b,c\n2,3,ok\n"), column="y").startswith(", line 4")
 
 
 @pytest.mark.parametrize("seed", range(5))

@@ -31,6 +31,8 @@ FIRST = {"column": 1, "sample_rate": 1.0}
         ("t\tWay;x\n0\t1,5\n1\t2,5\n", "Way;x", [1.5, 2.5]),
         ("t;Way;\n0;1;\n1;2; \n", "Way", [1.0, 2.0]),
         ("t;Way\n0;1;\n1;2;\n", "Way", [1.0, 2.0]),
+        ('time,Way\n"0,0","1,5"\n"1,0",2\n', "Way", [1.5, 2.0]),
+        ("Way, and time\nWay, t\n1.5, 0\n2, 1\n", "Way", [1.5, 2.0]),
     ],
 )
 def test_headings_and_data_are_told_apart(file, content: str, heading: str, values: list[float]) -> None:
