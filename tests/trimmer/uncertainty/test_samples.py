@@ -79,7 +79,7 @@ def test_yield_counts_what_meets_the_targets(samples) -> None:
 
 
 def test_who_does_them_changes_no_digit(samples) -> None:
-    assert sampled(FILE, SETTINGS, runner=ProcessRunner(2, chunk=1)).trials == samples.trials
+    assert sampled(FILE, SETTINGS, runner=ProcessRunner(1, chunk=1)).trials == samples.trials
 
 
 def test_a_killed_run_goes_on_to_the_same(samples, tmp_path) -> None:
