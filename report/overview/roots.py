@@ -23,7 +23,7 @@ ROOTS: Final = (
     ),
     Root(
         "A limit cycle is looked for in a driven loop",
-        "A limit cycle takes a loop that feeds the output back. In the open loop, as in the experiment, the "
+        "A limit cycle needs a loop that feeds the output back. In the open loop, as in the experiment, the "
         "motor moves the pin, and what is seen are harmonics of the drive.",
         (
             "txt-5.2.1-open-loop-peak",

@@ -64,9 +64,9 @@ def answer(known: Evidence) -> Observed:
         cycle. Two come back when {least:.1%} of the friction is compensated. With half of it compensated
         there is a stable one of {MICRO * GAP * half:.0f} µm and an unstable one of
         {MICRO * GAP * small:.0f} µm, with all of it they have {of_gap[0]:.0f} and {of_gap[1]:.0f} µm. With
-        more than all of it rest is lost too: {TOO_MUCH[0] - 1:.0%} too much makes the loop hum at
-        {low:.0f} Hz with {MICRO * GAP * shaken:.0f} µm, and {TOO_MUCH[1] - 1:.0%} too much drives it
-        from a slight push to the large limit cycle.
+        more than all of it compensated, rest is unstable as well: {TOO_MUCH[0] - 1:.0%} too much makes the
+        loop hum at {low:.0f} Hz with {MICRO * GAP * shaken:.0f} µm, and {TOO_MUCH[1] - 1:.0%} too much
+        drives it from a slight push to the large limit cycle.
 
         The driven trimmer has no limit cycle that could come back. There less friction makes the motion
         chaotic and the motor calmer: {exact[0][5]:.0f} m/s² without, {exact[-1][5]:.0f} m/s² with full

@@ -65,7 +65,7 @@ def answer(_: Evidence) -> Observed:
     yield text(f"""
         The describing function puts the stable limit cycle with friction-controlled play at {first[1]:.2f} Hz
         and {first[2]:.3f} gaps; with the third harmonic in the balance it is {third[1]:.2f} Hz and
-        {third[2]:.3f} gaps, and the exact orbit has {exact[1]:.2f} Hz and {exact[2]:.3f} gaps. A band of
+        {third[2]:.3f} gaps, and the exact orbit is at {exact[1]:.2f} Hz and {exact[2]:.3f} gaps. A band of
         {BAND} times the change by the third harmonic on either side, here {first[1]:.2f} ± {band[1]:.2f} Hz
         and {first[2]:.3f} ± {band[2]:.3f} gaps, holds the exact values of all four limit cycles. The
         describing function errs most, by {largest:.0%}, in the amplitude of the unstable one with

@@ -52,7 +52,7 @@ def imbalance(time: float, frequency: float, amplitude: float) -> float:
 @observation(
     "future-load-answer",
     source=NUMBERS,
-    title="A frequency tells it, but only in a narrow band and from a long record.",
+    title="A frequency tells M/D, but only in a narrow band and from a long record.",
 )
 def answer(_: Evidence) -> Observed:
     stable = curves(True)

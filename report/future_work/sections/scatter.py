@@ -121,8 +121,9 @@ def drawing(known: Evidence) -> Figure:
 def how(_: Evidence) -> Observed:
     yield text(f"""
         All thirteen masses, stiffnesses and dampings were drawn independently, evenly in their logarithm,
-        between the value of Listing A.1 over a factor and times it; harmonic balance with friction-controlled
-        play by a search that misses no solution. Factors: {", ".join(f"{each:g}" for each in FACTORS)}.
+        between the value of Listing A.1 divided by a factor and multiplied by it; harmonic balance with
+        friction-controlled play by a search that misses no solution. Factors:
+        {", ".join(f"{each:g}" for each in FACTORS)}.
     """)
     chosen = drawn(WIDE)[1][::EVERY]
     counted = [solutions(response(each), 0.0) for each in chosen]
@@ -137,9 +138,9 @@ def limits(known: Evidence) -> Observed:
     yield text(f"""
         The scatter is assumed: the thesis gives no tolerances, and real parameters do not scatter
         independently. These are predictions; for the parameters of the thesis the exact orbit is
-        {predicted - exact:.2f} Hz lower, far less than the {high - low:.0f} Hz that the parameters change.
-        Only sets without friction and with friction-controlled play were drawn. The driven trimmer has no
-        limit cycle with any of them.
+        {predicted - exact:.2f} Hz lower, far less than the {high - low:.0f} Hz over which the parameters
+        spread it. Only sets without friction and with friction-controlled play were drawn. The driven trimmer
+        has no limit cycle with any of them.
     """)
     yield so("error of the prediction against the scatter", abs(predicted - exact) < 0.01 * (high - low))
 

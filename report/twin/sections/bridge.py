@@ -51,7 +51,7 @@ def pull(known: Evidence) -> Observed:
         {small_gap.share_pulled:.0%} of the period, with up to {small_gap.largest_pull:.1f} N. While the
         bridge stands still in its slot, {small_gap.share_standing:.0%} of the period, something would have to
         hold it against up to {small_gap.holding:.1f} N. At 0.2 mm and 0.5 N these forces are
-        {large.largest_pull:.1f} N and {large.holding:.1f} N. The only dry friction of the trimmer has 0.5 N
+        {large.largest_pull:.1f} N and {large.holding:.1f} N. The only dry friction of the trimmer is 0.5 N
         and rubs elsewhere, between blade and guard.
     """)
     yield so(

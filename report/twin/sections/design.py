@@ -52,7 +52,9 @@ def _held(number: int, known: Evidence) -> Observed:
         From rest, for {ranges}. {sum(found.kinds.values())} points were tried: {kinds}. The worst found:
         {worst}.{alone}
     """)
-    yield so("all points that were searched, and those that this build has tried again, hold it", found.holds)
+    yield so(
+        "it holds at all points that were searched, and at those that this build tried again", found.holds
+    )
 
 
 def _worst(found: Searched, at: int, bound: Bound) -> str:

@@ -84,8 +84,8 @@ def speed(known: Evidence) -> Observed:
         lasts is {slower:.0f} µm at 100 Hz, {at_drive:.0f} µm at 110 Hz and {faster:.0f} µm at 120 Hz: the
         edge is ragged, and 10 Hz make a difference. One band is calm: from 146 to 164 Hz all
         {int(calm.sum())} cells up to 0.18 mm repeat with the drive. At 74 Hz all gaps up to 0.5 mm do, but
-        not at 72 or 76 Hz, so nobody should aim at it. Gaps up to {1e6 * numbers.common_reach:.0f} µm do at
-        all speeds.
+        not at 72 or 76 Hz, so nobody should aim at it. Gaps up to {1e6 * numbers.common_reach:.0f} µm repeat
+        with the drive at all speeds.
     """)
     yield so("every cell of the band repeats with the drive", bool(numbers.single[calm].all()))
     yield so(

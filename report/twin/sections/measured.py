@@ -20,7 +20,7 @@ def without_play(known: Evidence) -> Observed:
         Compared by order of the drive and by parity alone, since the parameters of the measured trimmer
         (table C.1) are not given: its spectrum without play has the orders 1, 3 and 5 (table 3.1). So has the
         twin with friction and no play, {third:.0f} µm at the third and {fifth:.0f} µm at the fifth harmonic
-        with 1 N, and no even ones. So has the thesis's model; this measurement decides nothing between them.
+        with 1 N, and no even ones. So has the thesis's model; this measurement does not tell them apart.
     """)
     yield small("even harmonics of the exact motions with 0 to 4 N", even, VANISHES)
     yield equal("motions of one drive period", {case.period_count for case in cases}, {1})
@@ -55,7 +55,7 @@ def mirrored(known: Evidence) -> Observed:
     case = known.twin.asymmetric
     yield text(f"""
         An example, in the model with the parameters of Listing A.1 and at its 100 Hz: with 0.2 mm and 2 N it
-        repeats with the drive, and its second harmonic has {1e6 * case.line(2):.1f} µm, its fourth
+        repeats with the drive, and its second harmonic is {1e6 * case.line(2):.1f} µm, its fourth
         {1e6 * case.line(4):.0f} µm. A mirrored motion exists beside it with the same amplitudes; the start
         decides.
     """)

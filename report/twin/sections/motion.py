@@ -35,7 +35,7 @@ def small_gap(known: Evidence) -> Observed:
         hits the bridge {twin.impacts:.0f} times in each period, at up to {twin.impact_speed:.2f} m/s, and is
         in contact for {twin.contact_share:.0%} of the time. The stroke is {1e3 * twin.peak_to_peak:.3f} mm
         peak to peak against {1e3 * case.frozen.peak_to_peak:.3f} mm in the thesis's model; the third harmonic
-        has {third[1]:.0f} µm against {third[0]:.0f}, the fifth {fifth[1]:.0f} µm against {fifth[0]:.0f}. The
+        is {third[1]:.0f} µm against {third[0]:.0f}, the fifth {fifth[1]:.0f} µm against {fifth[0]:.0f}. The
         force of the bridge reaches {twin.largest_force:.1f} N.
     """)
     yield equal("exact periodic motion of one drive period", twin.period_count, 1)
@@ -52,7 +52,7 @@ def main_case(known: Evidence) -> Observed:
         With the gap of the experiment and 2 N the twin repeats after {twin.period_count} drive periods, not
         after one. Its stroke has lines between the harmonics: {1e6 * twin.line(1 / 3):.0f} µm at a third of
         the drive, {1e6 * twin.line(5 / 3):.0f} µm at five thirds and {1e6 * twin.line(7 / 3):.0f} µm at seven
-        thirds, beside {1e6 * twin.line(1):.0f} µm at the drive itself. The second harmonic has
+        thirds, beside {1e6 * twin.line(1):.0f} µm at the drive itself. The second harmonic is
         {1e6 * twin.line(2):.0f} µm. The thesis's model repeats with the drive for every gap and friction, and
         has odd harmonics alone. "No limit cycle in a driven trimmer" therefore holds for play that only
         passes a displacement on, as in the thesis; two-way contact can bring a vibration of its own.
@@ -74,7 +74,7 @@ def chaos(known: Evidence) -> Observed:
         period (Lyapunov exponent between {LYAPUNOV[0]:.1f} and {LYAPUNOV[1]:.1f} per period). All
         {int(cells.sum())} cells of the map at that gap from 0.2 to 0.8 N are chaotic, and the frictions of
         section 3.3 lie between them. The thesis's model settles to the drive's period there. The chaos is
-        carried by a large regular motion: its first harmonic has {1e3 * case.twin.line(1):.2f} mm, the
+        carried by a large regular motion: its first harmonic is {1e3 * case.twin.line(1):.2f} mm, the
         spectrum between the harmonics stays at least {BELOW} times below it.
     """)
     yield equal("kind of motion by exponent and neighbour", case.twin.kind, MotionKind.CHAOTIC)

@@ -17,9 +17,9 @@ def cells(known: Evidence) -> Observed:
     yield text(f"""
         {friction.shares["open"]:.1%} of the cells over gap and friction and {speed.shares["open"]:.1%} of
         those over gap and speed had not settled within 300 drive periods, and no kind could be told. In
-        {friction.by_rounding:.1%} and {speed.by_rounding:.1%} a start one nanometre beside rest led to
-        another motion: there the map shows one of several, and another computer may show another. Torus and
-        chaos are told apart by one neighbour over 100 drive periods, which may err near an edge.
+        {friction.by_rounding:.1%} and {speed.by_rounding:.1%} of all cells a start one nanometre beside rest
+        led to another motion: there the map shows one of several, and another computer may show another.
+        Torus and chaos are told apart by one neighbour over 100 drive periods, which may err near an edge.
     """)
     yield so(
         "each of these is less than a tenth of the cells",
