@@ -201,7 +201,7 @@ def roles(_: Evidence) -> Record:
         free.diff(LOAD_DAMPING).is_positive is True and free.diff(LOAD_MASS).is_negative is True,
         f"a load in free flight has $v/v_0 = {sympy.latex(free)}$",
         method=r"sign of the derivatives of the solution of $M\dot v + Dv = 0$",
-        second=so(means, lighter < usual < heavier),
+        second=so(means, 0 < lighter < usual < heavier < 1),
     )
     ratio = r"\frac{v}{v_0}"
     flies_on = "$D = 0$ is inertia-controlled: the load flies on with the speed it has"

@@ -89,6 +89,10 @@ def _pin(trimmer: PlayedTrimmer, t: float, y: Reals) -> tuple[float, float]:
     return y[0] + pin[0] - y[1], y[4] + pin[1] - y[5]
 
 
+def _slip(y: Reals) -> float:
+    return float(y[5] - y[7])
+
+
 def _stretch_rate(trimmer: PlayedTrimmer, phase: PlayPhase, t: float, y: Reals) -> float:
     if phase.contact is PinContact.FREE:
         return -trimmer.parameters.k2 / trimmer.parameters.c2 * float(y[8])
@@ -134,7 +138,7 @@ def _events(trimmer: PlayedTrimmer, phase: PlayPhase) -> list[object]:
         return phase.contact * _tension(trimmer, phase, t, y)
 
     def slides(t: float, y: Reals) -> float:
-        return phase.sliding * float(y[5] - y[7])
+        return phase.sliding * _slip(y)
 
     def holds(t: float, y: Reals, side: int) -> float:
         return trimmer.force - side * _accelerations(trimmer, phase, t, y)[1]
@@ -177,5 +181,5 @@ def _first(trimmer: PlayedTrimmer, t: float, y: Reals) -> PlayPhase:
         side = PinContact.UPPER if place > 0 else PinContact.LOWER
         if side * _tension(trimmer, PlayPhase(side, 0), t, y) >= 0:
             contact = side
-    phase = PlayPhase(contact, int(np.sign(y[5] - y[7])))
-    return phase if abs(y[5] - y[7]) > SLOW else _sliding(trimmer, phase, t, y)
+    phase = PlayPhase(contact, int(np.sign(_slip(y))))
+    return phase if abs(_slip(y)) > SLOW else _sliding(trimmer, phase, t, y)

@@ -46,7 +46,8 @@ def drive_period(known: Evidence) -> Observed:
     yield so(
         "the map from rest keeps the drive's period up to the last gap of its grid below the torus, and "
         "leaves it at the next but one at most",
-        bool(single[values < torus - 5e-6].all()) and not single[(values > torus) & (values < 1.3e-4)].all(),
+        [single[each].all() for each in (values < torus - 5e-6, (values > torus) & (values < 1.3e-4))]
+        == [True, False],
     )
     yield small(
         "orbits solved again from their kept states keep their stroke", known.twin.branches_again, AGAIN
