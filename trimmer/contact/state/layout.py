@@ -182,10 +182,8 @@ class Layout:
         sizes: Reals = self.lengths * abs(self.frame.reduced(states)).max(axis=0)
         displacements, velocities = self.kinds
         rate = 2 * np.pi / duration
-        longest = max(
-            sizes[displacements].max(initial=0.0), STILL * sizes[velocities].max(initial=0.0) / rate
-        )
-        fastest = max(sizes[velocities].max(initial=0.0), STILL * longest * rate)
+        longest = max(sizes[displacements].max(), STILL * sizes[velocities].max() / rate)
+        fastest = max(sizes[velocities].max(), STILL * longest * rate)
         scale = np.full(len(sizes), longest)
         scale[velocities] = fastest
         sizes = np.maximum(sizes, SMALLEST_SHARE * scale)
