@@ -97,19 +97,6 @@ def test_sections_of_another_kind_are_told_with_the_rest() -> None:
     assert places(outputs=outputs) == ["outputs.u", "outputs.v", "outputs.w.a", "outputs.x.a"]
 
 
-@pytest.mark.parametrize(
-    ("state", "reasons"),
-    [
-        ([1, 2], []),
-        ((0.0,), ["give two numbers: [displacement in m, velocity in m/s]"]),
-        ([0.0, math.inf], ["inf must be finite"]),
-        ((True, "x"), ["give a number, in m", "give a number, in m/s"]),
-    ],
-)
-def test_starts_are_two_numbers(state: object, reasons: list[str]) -> None:
-    assert told(start={"a": state}) == [f"start.a = {state!r}: {reason}" for reason in reasons]
-
-
 def test_names_are_unique_and_stand_for_what_is_there() -> None:
     pins = {"a": Pin("x"), "ground": Pin("a"), "p": Pin("y")}
     assert places(bodies={"a": A, "ground": B}, pins=pins) == [
@@ -141,32 +128,6 @@ def test_outputs_are_of_one_kind_and_their_names_are_free() -> None:
     (sentence,) = told(bodies=bodies, links=links, outputs={"u": Output({"force": 1.0})})
     assert "with the one key 'force' it is no displacement" in sentence
     assert told(outputs={"u": force, "v": speed}) == []
-
-
-@pytest.mark.parametrize(
-    ("ends", "reasons"),
-    [
-        (("p", "b"), []),
-        (("g", "r"), []),
-        (("x", "x"), ["there is no body or pin 'x'; there are"]),
-        (("x", "y"), ["there is no body or pin 'x'", "there is no body or pin 'y'"]),
-        (("a", "y"), ["there is no body or pin 'y'"]),
-        (("p", "p"), ["both ends are the same"]),
-        (("g", "ground"), ["both ends move as prescribed"]),
-        (("p", "q"), ["both ends are on 'a'"]),
-        (("a", "p"), ["both ends are on 'a'"]),
-    ],
-)
-@pytest.mark.parametrize("section", ["links", "plays", "stops", "frictions"])
-def test_ends_are_two_that_move_against_each_other(section: str, ends: tuple, reasons: list[str]) -> None:
-    pins = {"p": Pin("a"), "q": Pin("a"), "g": Pin("ground"), "r": Pin("b")}
-    part = {"links": Link, "plays": Play, "stops": Stop}.get(section, lambda ends: Friction(ends, 1.0))(ends)
-    links = {**MOUNT, "b": Link(("ground", "b"), 1.0)}
-    fields = {"links": links} | {section: {"x": part} | (links if section == "links" else {})}
-    found = told(bodies={"a": A, "b": B}, pins=pins, **fields)
-    assert len(found) == len(reasons)
-    for sentence, reason in zip(found, reasons, strict=True):
-        assert sentence.startswith(f"{section}.x.between = {list(ends)!r}: {reason}")
 
 
 def test_every_body_is_touched_by_something() -> None:
