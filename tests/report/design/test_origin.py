@@ -1,6 +1,7 @@
 """What a report was made from and when stands below its title, and the same input gives the same bytes."""
 
 import hashlib
+from importlib.metadata import version
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,7 @@ from report.design.building import files_of, report_on
 from report.design.origin import origin_of, today
 from report.design.tables.judged import provenance_rows
 from report.pages.formats import Format, Paper
+from report.pages.provenance import RELEASED, provenance
 from tests.report.design.conftest import TEXT
 from trimmer import MechanismError
 from trimmer.command_line.main import main
@@ -32,6 +34,11 @@ def test_date_version_hash_and_author_stand_below_the_title(tmp_path: Path) -> N
     nobody = origin_of([design_file_of_text(TEXT, "a.toml"), file], "2026-03-01").line
     assert nobody.startswith("by A. <b> Author; made on")
     assert origin_of([design_file_of_text(TEXT, "a.toml")], "2026-03-01").line.startswith("made on")
+
+
+def test_code_outside_of_a_checkout_is_told_by_its_version(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("GIT_DIR", "nowhere")
+    assert provenance().line == f"trimmer {version('trimmer')}, commit none (not a git checkout), {RELEASED}"
 
 
 @pytest.mark.parametrize("author", ["3", '"a\\nb"', "[]"])

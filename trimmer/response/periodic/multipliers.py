@@ -81,10 +81,8 @@ def _conditions(matrix: Reals) -> tuple[Complexes, Reals]:
     balanced = lapack.dgebal(matrix, scale=1, permute=0)[0]
     schur, count = _sorted_schur(balanced)
     large, rest, beside = schur[:count, :count], schur[count:, count:], schur[:count, count:]
-    lean = 0.0
-    if 0 < count < len(matrix):
-        solution, scale, _ = lapack.ztrsyl(large, rest, beside, isgn=-1)
-        lean = float(np.linalg.norm(solution / scale))
+    solution, scale = lapack.ztrsyl(large, rest, beside, isgn=-1)[:2] if beside.size else (beside, 1.0)
+    lean = float(np.linalg.norm(solution / scale))
     values, vectors = np.linalg.eig(large)
     try:
         left = np.linalg.inv(vectors)
