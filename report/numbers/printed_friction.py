@@ -57,11 +57,11 @@ def _run(parameters: TrimmerParameters, force: float, factor: float) -> FedRun:
     times = np.linspace(0, DURATION, 601)
     end = np.linspace(DURATION - LAST, DURATION, _POINTS)
     output = motion.output(end)
-    lines = np.abs(np.fft.rfft(output[:-1] - output[:-1].mean()))
+    lines = np.abs(np.fft.rfft(output[:-1]))[1:]
     return FedRun(
         force=force,
         times=times,
         energy=difference_energy(parameters, motion.state(times)),
         amplitude=float(np.ptp(output)) / 2,
-        frequency=float(np.argmax(lines)) / LAST,
+        frequency=float(1 + np.argmax(lines)) / LAST,
     )
