@@ -5,7 +5,7 @@ from dataclasses import asdict
 import pytest
 
 from tests.trimmer.servos import SAMPLED, SERVO, STICTION
-from trimmer import Mechanism, MechanismError, MotionKind
+from trimmer import Mechanism, MechanismError, MotionKind, respond
 from trimmer.response import step_response
 
 MOTOR = "motor = { inertia = 0.0002 }"
@@ -192,3 +192,26 @@ def test_what_comes_to_its_hunting_slowly_ends_after_a_few_periods() -> None:
     assert response.hunting is not None and response.hunting.period == pytest.approx(544.7, rel=1e-3)
     assert response.motion.duration == pytest.approx(5 * response.hunting.period, rel=1e-9)
     assert "5 times the period of what it settles to after the step" in response.ending
+
+
+def test_what_flies_on_in_a_gap_under_samples_does_not_rest() -> None:
+    """Each bounce leaves the load a share of its speed, so that it never stands still; the motor sticks."""
+    text = """
+        bodies = { a = { mass = 1.0 }, b = { mass = 0.8 } }
+        plays = { p = { between = ["a", "b"], stiffness = 2500.0, damping = 16.0, gap = 0.04 } }
+        frictions = { f = { between = ["ground", "a"], force = 6.0, static = 8.3 } }
+        outputs = { y = { b = 1 } }
+        references = { path = { step = 0.7 } }
+        [controllers.k]
+        kind = "cascade"
+        measure = "y"
+        acts = ["ground", "a"]
+        reference = "path"
+        kp = 2.3
+        kv = 6.9
+        sample = 3e-3
+    """
+    mechanism = Mechanism.from_toml_text(text)
+    response = step_response(mechanism, settles_to=respond(mechanism, most_periods=20))
+    assert response.ending != "where it rests"
+    assert abs(response.motion.final["b"][1]) > 1e-6

@@ -44,7 +44,11 @@ def sampled_rest(flow: Flow, instant: Instant, sizes: Reals, gone: float = GONE)
     moves = values > SINGULAR * values.max(initial=0.0)
     shares = outer.T @ left
     further = inner[moves].T @ (shares[moves] / values[moves])
-    if abs(shares[~moves]).max(initial=0.0) > DRIFT or abs(further).max(initial=0.0) > gone:
+    # What samples leave as it is stays so up to the rest. Nothing of it is left over where a body moves on.
+    stays, places = outer[:, ~moves].T, inner[~moves].T
+    further += places @ np.linalg.lstsq(stays @ places, -stays @ further, rcond=SINGULAR)[0]
+    moved_on = max(abs(shares[~moves]).max(initial=0.0) / DRIFT, abs(stays @ further).max(initial=0.0) / GONE)
+    if moved_on > 1.0 or abs(further).max(initial=0.0) > gone:
         return None
     limit = flow.at(instant.state + sizes * further, instant.phase, like=instant)
     return Rest(flow, limit, bool((~moves).any()), _slides(flow, limit, sizes))
