@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from functools import partial
+from operator import attrgetter
 
 from report.design.axis import hunting_figure, step_figures
 from report.design.diagram.diagram import mechanism_diagram
@@ -18,7 +19,6 @@ from report.design.words.phrases import bound_words, capital, measure_words
 from report.pages.drawing.drawn import drawn
 from report.pages.figure import Figure
 from trimmer.design.analysis.linear import LinearState, driving
-from trimmer.design.analysis.spectrum import OutputLine
 from trimmer.design.design import Design
 from trimmer.design.parameter_studies.kept_map import DesignMap
 from trimmer.design.parameter_studies.paths import NumberPath
@@ -159,7 +159,7 @@ def _spectra(design: Design) -> Iterator[Figure]:
                 f"Lines of {each.output}",
                 f"Amplitudes of the lines of {each.output}, down to one ten-thousandth of the largest.",
                 f"Upright lines over frequency, the highest at "
-                f"{shown(max(each.lines, key=_amplitude).frequency, 'Hz')}.",
+                f"{shown(max(each.lines, key=attrgetter('amplitude')).frequency, 'Hz')}.",
                 partial(line_spectrum, [("", each)]),
             )
 
@@ -194,10 +194,6 @@ def _ranges(design: Design) -> Iterator[Figure]:
 
 def _words(asked: MeasureOfPart) -> str:
     return measure_words(asked.measure, asked.part)
-
-
-def _amplitude(line: OutputLine) -> float:
-    return line.amplitude
 
 
 def _map(design: Design, each: DesignMap, number: int) -> Figure:

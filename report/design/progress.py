@@ -42,7 +42,8 @@ class ProgressLines:
     def __call__(self, stage: Stage, over: tuple[str, ...], done: int, count: int) -> None:
         """Tell how much of a step is done; one that ends without having begun was kept, or left out."""
         now = time.perf_counter()
-        name = f"{stage.value}{f' over the {_words(over)}' if over else ''}"
+        words = " and ".join(map(place_words, over))
+        name = f"{stage.value}{f' over the {words}' if over else ''}"
         if done == count <= 1:
             begun = self._begun.pop((stage, over), None)
             took = "kept" if begun is None else f"{now - begun:.1f} s"
@@ -76,7 +77,3 @@ class ProgressLines:
         except OSError as error:
             reason = f"{error.strerror or error}; name another place"
             raise FileWriteError(f"{self.log} cannot be written: {reason}") from error
-
-
-def _words(over: tuple[str, ...]) -> str:
-    return " and ".join(map(place_words, over))

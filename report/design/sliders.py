@@ -75,15 +75,15 @@ def _time_scale(grid: SolvedGrid) -> Scale:
 
 def _told(design: Design, grid: SolvedGrid) -> str:
     signals = _signals(grid)
-    frequency = [each.place for each in grid.numbers].index("frequency") if _moves_speed(grid) else None
+    places = [each.place for each in grid.numbers]
     table: dict[str, Any] = {
-        "numbers": [place_words(each.place) for each in grid.numbers],
+        "numbers": list(map(place_words, places)),
         "values": [list(each) for each in grid.values],
         "own": [each.value for each in grid.numbers],
         "levels": LEVELS,
         "time": 1 / _time_scale(grid).factor,
         "frequency": design.file.mechanism.frequency or 0.0,
-        "frequencyAt": frequency,
+        "frequencyAt": places.index("frequency") if "frequency" in places else None,
         "spectra": not design.file.switched,
         "scales": [1 / scale.factor for _, scale in signals],
         "targets": [_target(each) for each in grid.targets],
@@ -91,10 +91,6 @@ def _told(design: Design, grid: SolvedGrid) -> str:
     }
     # In a script "<" might begin the end of it.
     return json.dumps(table, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
-
-
-def _moves_speed(grid: SolvedGrid) -> bool:
-    return any(each.place == "frequency" for each in grid.numbers)
 
 
 def _target(target: Target) -> dict[str, Any]:

@@ -47,8 +47,8 @@ def functions(derivation: LinearTrimmer, values: dict[sympy.Expr, sympy.Rational
         _polynomials(derivation, values),
         _element(),
         _friction(values[k2]),
-        _flight(),
-        _contact(),
+        _position("flight", flight()),
+        _position("contact", general_waveform().segments[1].value),
     )
 
 
@@ -166,16 +166,6 @@ def _friction(stiffness: sympy.Rational) -> Function:
     imaginary = friction_term() / sympy.I / stiffness
     results = {"imaginary": imaginary, "imaginaryByAmplitude": imaginary.diff(A)}
     return Function("friction", (FORCE, A), results)
-
-
-def _flight() -> Function:
-    """Return the load's position over A in its flight, by θ, γ and g/A."""
-    return _position("flight", flight())
-
-
-def _contact() -> Function:
-    """Return the load's position over A in its contact, by θ, γ and g/A."""
-    return _position("contact", general_waveform().segments[1].value)
 
 
 def _position(name: str, value: sympy.Expr) -> Function:

@@ -1,6 +1,7 @@
 """The verdict on a design in words, what it rests on, and what to change."""
 
 import math
+from operator import attrgetter
 
 from report.design.axis import MEASURES, hunting_words
 from report.design.quantities import percent, place_words, shown
@@ -91,7 +92,9 @@ def _met(design: Design) -> Markdown:
         advice = f"; {_advice(design)}" if design.remedies is not None else ""
         return markdown("**{} in the file, but not beside it**: {}{}.", all_of, told, advice)
     near = min(
-        (each for each in judged if each.target.measure is not Measure.PERIOD), key=_margin, default=None
+        (each for each in judged if each.target.measure is not Measure.PERIOD),
+        key=attrgetter("margin"),
+        default=None,
     )
     if near is None:
         return markdown("**{}.**", all_of)
@@ -108,10 +111,6 @@ def _met(design: Design) -> Markdown:
 def _beside(around: Around, target: Target) -> str:
     condition, value = around.worst(target, *Beside) or (Condition(Beside.POINT), math.nan)
     return f"{condition_words(condition)} {_miss(JudgedTarget(target, value, met=False))}"
-
-
-def _margin(judged: JudgedTarget) -> float:
-    return judged.margin
 
 
 def _missed(design: Design) -> Markdown:

@@ -75,7 +75,7 @@ def _axis(axes: Axes, direction: str) -> dict[str, object]:
     axis, group = getattr(axes, f"{direction}axis"), getattr(axes, f"get_shared_{direction}_axes")()
     siblings = group.get_siblings(axes)
     return {
-        "limits": _limits(getattr(axes, f"get_{direction}lim")()),
+        "limits": [float(f"{end:.8g}") for end in getattr(axes, f"get_{direction}lim")()],
         "scale": axis.get_scale(),
         "label": "" if isinstance(axis.get_major_formatter(), Names) else _label(axes, direction),
         "shared": min(axes.figure.axes.index(each) for each in siblings),
@@ -84,15 +84,10 @@ def _axis(axes: Axes, direction: str) -> dict[str, object]:
 
 def _in_points(place: Place, axes: Axes, figure: Figure) -> list[float | None]:
     """Return a place of the data in points from the upper left corner."""
-    data = np.array(
-        [[low if each is None else each] for each, (low, _) in zip(place, _ends(axes), strict=True)]
-    )
+    ends = axes.get_xlim(), axes.get_ylim()
+    data = np.array([[low if each is None else each] for each, (low, _) in zip(place, ends, strict=True)])
     ((across, up),) = _points(data.T, axes, figure)
     return [None if place[0] is None else across, None if place[1] is None else up]
-
-
-def _ends(axes: Axes) -> tuple[tuple[float, float], tuple[float, float]]:
-    return axes.get_xlim(), axes.get_ylim()
 
 
 def _points(data: Reals, axes: Axes, figure: Figure) -> list[tuple[float, float]]:
@@ -108,10 +103,6 @@ def _peaks(line: Line2D, axes: Axes, figure: Figure) -> list[tuple[float, float]
     if isinstance(line, CurveAlong) or "frequency" not in _label(axes, "x"):
         return []
     return _points(peaks(line, axes), axes, figure)
-
-
-def _limits(ends: tuple[float, float]) -> list[float]:
-    return [float(f"{end:.8g}") for end in ends]
 
 
 def _label(axes: Axes, direction: str) -> str:
