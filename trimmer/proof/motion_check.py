@@ -55,8 +55,7 @@ def check_orbit(data: StatedMotion) -> str:
     with ctx.workprec(PRECISION):
         motion = BallMotion(course, equations)
         require_form(motion)
-        require_alone(motion)
-        found = solve(motion)
+        found = solve(motion, known=require_alone(motion))
         require_near(motion, found.unknown, NEAR)
         told = readings(motion, found.over, data.functionals, data.levels)
         require_shortest(motion, found.over)

@@ -62,7 +62,11 @@ def scales(motion: BallMotion) -> list[arb]:
 
 
 def solve(
-    motion: BallMotion, plane: Plane | None = None, guess: list[arb] | None = None, radius: int = RADIUS
+    motion: BallMotion,
+    plane: Plane | None = None,
+    guess: list[arb] | None = None,
+    radius: int = RADIUS,
+    known: Followed | None = None,
 ) -> Returned:
     """Find what returns, alone in a ball, and enclose it there.
 
@@ -71,8 +75,9 @@ def solve(
         plane: Of a family, what cuts it.
         guess: Where to begin; as computed if not given.
         radius: Power of two of the radius of the ball, as a share of the sizes.
+        known: The motion from there with its derivative, if it has been followed.
     """
-    middle = newton(motion, plane, guess, radius)
+    middle = newton(motion, plane, guess, radius, known)
     ball = [m + about(r * arb(2) ** radius) for m, r in zip(middle, scales(motion), strict=True)]
     over = motion.follow(ball, True)
     image = _image(motion, plane, ball, over)
@@ -102,14 +107,15 @@ def _image(motion: BallMotion, plane: Plane | None, ball: list[arb], over: Follo
 
 
 def newton(
-    motion: BallMotion, plane: Plane | None = None, guess: list[arb] | None = None, radius: int = RADIUS
+    motion: BallMotion, plane: Plane | None, guess: list[arb] | None, radius: int, known: Followed | None
 ) -> list[arb]:
     """Find about what returns, by Newton's method, to less than the radius of a ball."""
     middle = guess or first_guess(motion)
     plane = plane and plane.at(arb(plane.height.mid()))
     fine = [size * arb(2) ** (radius - 20) for size in scales(motion)]
     for _ in range(MOST_ROUNDS):
-        middle, step = nearer(motion, plane, middle, motion.follow(middle, True))
+        middle, step = nearer(motion, plane, middle, known or motion.follow(middle, True))
+        known = None
         if all(abs(each) < size or each.contains(0) for each, size in zip(step, fine, strict=True)):
             break
     return middle
@@ -129,8 +135,12 @@ def nearer(
     return middle, step
 
 
-def require_alone(motion: BallMotion) -> None:
-    """Tell a family: what stays where it is put, although Newton's step from there is long."""
+def require_alone(motion: BallMotion) -> Followed:
+    """Tell a family: what stays where it is put, although Newton's step from there is long.
+
+    Returns:
+        The motion as computed, with its derivative.
+    """
     guess, sizes = first_guess(motion), scales(motion)
     over = motion.follow(guess, True)
     gaps = zip(over.back, guess, sizes, strict=False)
@@ -138,6 +148,7 @@ def require_alone(motion: BallMotion) -> None:
         step = _step(motion, guess, None, inverse_of(derivative_of(motion, over)))
         if any(abs(each) > NEAR * size for each, size in zip(step, sizes, strict=True)):
             raise UndecidedError("1 is a multiplier, to the digits of the motion: it may be one of a family")
+    return over
 
 
 def derivative_of(motion: BallMotion, followed: Followed, plane: Plane | None = None) -> arb_mat:
