@@ -204,6 +204,17 @@ def test_an_orbit_that_was_made_false_is_refused(tmp_path, name: str, change: Ch
             "half of a motion has signs, and no other has",
         ),
         ("doubling", at("value", by=1 + 2e-6), "nearest to it is at 0.88437926"),
+        ("doubling", at("kind", to="fold"), "no place where a sign changes was found"),
+        (
+            "doubling",
+            at("beside", 0, "equations", "modes", 0, "flow", 1, 0, by=1 + 1e-4),
+            "an event is too far from where it was computed",
+        ),
+        (
+            "doubling",
+            at("beside", 0, "equations", "resets", 0, -1, 0, to=1.0),
+            "what forces the states does not return",
+        ),
     ],
 )
 def test_a_special_point_that_was_made_false_is_refused(tmp_path, name, change, told) -> None:
