@@ -42,7 +42,8 @@ def kept(entry: Callable[..., Any]) -> Callable[..., Any]:
 
     That is the folder of the package, or else the user's cache; NUMBA_CACHE_DIR names another one. Processes
     that compile at the same time do not disturb each other, since files are written whole. Where nothing can
-    be written, or a kept file is damaged, each process compiles for itself.
+    be written, or a kept file is damaged, each process compiles for itself. With NUMBA_DISABLE_JIT=1 nothing
+    is compiled.
 
     To look at the type of each array in each tuple takes Numba longer than a short motion. It does so once
     for arguments of some classes; later ones of the same classes go straight to the machine code.
@@ -51,6 +52,8 @@ def kept(entry: Callable[..., Any]) -> Callable[..., Any]:
         entry: An entry point. It makes no arrays. Arguments of the same classes have the same types in each
             call: arrays have one shape of axes, one kind of numbers, and lie without gaps in the order of C.
     """
+    if numba.config.DISABLE_JIT:
+        return entry
     for_itself: Callable[..., Any] = numba.njit(**_LEAN)(entry)
     try:
         machine: Any = numba.njit(cache=True, **_LEAN)(entry)

@@ -1,5 +1,6 @@
 """Compiled code: nothing at import, kept where it can be, and still there where it cannot."""
 
+import os
 import pickle
 import shutil
 import subprocess
@@ -51,6 +52,13 @@ trimmer.simulate(loop, 0.02, impulse=1e-3).signal("output", 0.01)
 """
 
 
+IN_PYTHON = """
+import trimmer
+loop = trimmer.ClosedLoop(([1.0], [1, 1, 0]), trimmer.Relay(1.0, hysteresis=0.1))
+print(*(event.time for event in trimmer.simulate(loop, 2.0, state=[0.1, 0.2]).events))
+"""
+
+
 def doubled(value: float) -> float:
     return 2.0 * value
 
@@ -65,6 +73,15 @@ def test_arguments_of_the_same_classes_have_the_same_types(project_folder: Path)
     words = [sys.executable, "-c", SAME_TYPES, str(project_folder / "examples")]
     run = subprocess.run(words, capture_output=True, text=True, timeout=120)
     assert (run.returncode, run.stderr[-2000:]) == (0, "")
+
+
+def test_it_works_without_compiling() -> None:
+    words = [sys.executable, "-c", IN_PYTHON]
+    environment = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
+    run = subprocess.run(words, capture_output=True, text=True, timeout=120, env=environment)
+    assert run.stderr == ""
+    time = float(run.stdout)  # When y = 0.2 + 1.1 (1 - exp(-t)) - t, with y'' = -y' - 1, has come to -0.1
+    assert 0.2 - 1.1 * np.expm1(-time) - time == pytest.approx(-0.1, abs=1e-14)
 
 
 def test_it_works_where_no_folder_can_be_written(monkeypatch: pytest.MonkeyPatch) -> None:
