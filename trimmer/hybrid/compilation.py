@@ -52,9 +52,9 @@ def kept(entry: Callable[..., Any]) -> Callable[..., Any]:
         entry: An entry point. It makes no arrays. Arguments of the same classes have the same types in each
             call: arrays have one shape of axes, one kind of numbers, and lie without gaps in the order of C.
     """
-    if numba.config.DISABLE_JIT:
-        return entry
     for_itself: Callable[..., Any] = numba.njit(**_LEAN)(entry)
+    if for_itself is entry:
+        return entry
     try:
         machine: Any = numba.njit(cache=True, **_LEAN)(entry)
     except RuntimeError:  # There is no such folder.
