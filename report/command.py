@@ -191,7 +191,7 @@ COMMAND = Command(
     _run,
     examples=uses("""
     trimmer report
-        what holds of the thesis, in build/report: report.html, report.pdf, cards.pdf, claims.json
+        which statements of the thesis hold, in build/report: report.html, report.pdf, cards.pdf, claims.json
     trimmer report --only ch5 --format html --open
         one chapter alone, as a page, in the browser
     trimmer report --compare claims.json

@@ -52,7 +52,7 @@ COMMAND = Command(
     _run,
     examples=uses("""
     trimmer judge examples/judged-paper
-        what holds of a paper on dry friction, in build/judge
+        which statements of a paper on dry friction hold, in build/judge
     trimmer judge examples/judged-paper --format html --directory build/paper
         the same as a page alone, in a folder of its own
     """),

@@ -54,7 +54,7 @@ def add_report_options(parser: ArgumentParser) -> None:
         metavar="DIR",
         default=DIRECTORY,
         help="folder of the report, NAME.html and NAME.pdf, and of .kept, which holds the steps that are "
-        "done for the next run; it may be deleted, and steps that were not used for 30 days go by themselves "
+        "done for the next run; it may be deleted, and steps that were not used for 30 days are deleted "
         "(default: %(default)s)",
     )
     add_form_options(parser, KINDS, "both")
@@ -64,7 +64,7 @@ def add_report_options(parser: ArgumentParser) -> None:
         metavar="TIME",
         help="time that the work may take, with its unit, as 90s or 10min, or none; spent first on what the "
         "verdict needs, and the report says what was left out "
-        "(default: 3min; none where --full asks for more)",
+        "(default: 3min, or none with --full of trimmer design)",
     )
     add_runner_options(parser)
     add_overwrite_option(parser)
@@ -223,7 +223,7 @@ COMMAND = Command(
     told_how_to_go_on(_run),
     examples=uses("""
     trimmer design examples/den-hartog.toml --format html
-        all that is known of an oscillator with dry friction, as build/design/den-hartog.html
+        a report on an oscillator with dry friction, as build/design/den-hartog.html
     trimmer design examples/thesis.toml --format html --jobs 1
         the same of a trimmer without play, on one core
     """),

@@ -24,7 +24,7 @@ def _configure(parser: ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="STATE",
-        help="of a mechanism: closed, open, or one by name, such as bridge=open, beside which the others are "
+        help="of a mechanism: closed, open, or one by name, such as bridge=open, with the others "
         "closed; may be repeated (default: all closed, then all open)",
     )
     add_loop_options(parser)

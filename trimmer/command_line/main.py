@@ -217,7 +217,9 @@ def _needed(words: Sequence[str]) -> Sequence[Command]:
 
 def _parser(commands: Sequence[Command]) -> ArgumentParser:
     parser = Parser(
-        prog="trimmer", description="Vibration of a hair trimmer with play and friction.", epilog=EXIT_CODES
+        prog="trimmer",
+        description="Exact motion of machines and control loops with play and friction.",
+        epilog=EXIT_CODES,
     )
     parser.add_argument("--version", action="version", version=f"trimmer {trimmer.__version__}")
     subparsers = parser.add_subparsers(metavar="COMMAND", title="commands", required=True)

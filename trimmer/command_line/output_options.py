@@ -28,7 +28,8 @@ def add_quiet_option(parser: ArgumentParser) -> None:
             "--quiet",
             action="store_true",
             help="print nothing but errors on standard error: no progress, no notes; results, --json and "
-            "files stay as they are, but text that would make way for a file on standard output is left out",
+            "files stay as they are; if a file is written to standard output, the text of the result is left "
+            "out",
         )
 
 

@@ -11,7 +11,7 @@ def _configure(parser: ArgumentParser) -> None:
     add_file_option(
         parser,
         "--output",
-        "file to write (default: print it); a file that is there is kept unless it is empty",
+        "file to write (default: print it); an existing file is kept unless it is empty",
     )
 
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from trimmer.loops.trimmer_loop import TrimmerLoop
     from trimmer.mechanism.mechanism import Mechanism
 
-FILE_HELP = "mechanism, a TOML file, - for standard input; without one, a loop of the thesis moves"
+FILE_HELP = "mechanism, a TOML file, - for standard input; without one, a loop of the thesis (see --element)"
 OF_LOOPS = ("element", *ELEMENT_OPTIONS, "parameters", "displacement", "channels", "drive", "amplitude")
 OF_LOOPS += ("impulse",)
 """Options that say what a loop is and does; a mechanism says it in its file."""

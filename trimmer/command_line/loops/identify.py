@@ -58,7 +58,7 @@ COMMAND = Command(
     _run,
     examples=uses("""
     trimmer identify --gap 4e-5 --frequency 740 --channels displacement
-        which M/D of the load goes with a vibration that was measured at 740 Hz
+        which M/D of the load gives a limit cycle at 740 Hz, as it was measured
     trimmer identify --gap 4e-5 --frequency 740 --uncertainty 2 --channels displacement
         the same as an interval, if the measurement may be off by 2 Hz
     """),

@@ -63,13 +63,13 @@ def _run(arguments: Namespace) -> int:
 
 COMMAND = Command(
     "orbits",
-    "exact limit cycles, with the error of harmonic balance",
+    "exact orbits of a loop that oscillates by itself, with the error of harmonic balance",
     _configure,
     _run,
     examples=uses("""
     trimmer orbits --element friction --gap 4e-5
         what exact vibrations there are, and how far off the predictions of `trimmer limit-cycles` are
     trimmer orbits --element inertia --gap 4e-5 --simulate
-        the same with a load of inertia alone, and whether motions from 32 starts settle on more
+        the same with a load of inertia alone, and whether motions from 32 starts settle to others
     """),
 )

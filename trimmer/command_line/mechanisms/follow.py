@@ -49,12 +49,12 @@ def _configure(parser: ArgumentParser) -> None:
         type=int,
         choices=range(5),
         default=1,
-        help="how many times one after another to go over to a branch that parts (default: 1)",
+        help="how many times in succession to change to a branch that splits off (default: 1)",
     )
     add_count(
         parser,
         "--harmonics",
-        "run multi-harmonic balance beside it with so many harmonics, and say how far off it is",
+        "also run multi-harmonic balance with this many harmonics, and say how far off it is",
     )
     add_measure_option(parser)
     add_output_options(parser, "the branch")

@@ -17,7 +17,7 @@ def _configure(parser: ArgumentParser) -> None:
         nargs="?",
         metavar="FILE",
         default=FILE,
-        help="file to write (default: %(default)s); one that is there is kept unless it is empty",
+        help="file to write (default: %(default)s); an existing file is kept unless it is empty",
     )
     parser.add_argument(
         "--example",

@@ -43,8 +43,8 @@ def _configure(parser: ArgumentParser) -> None:
         parser,
         output_is_file=True,
         file_help="mechanism with [uncertainty], a TOML file, - for standard input; without one, a loop of "
-        "the thesis moves, and its --parameters FILE has [uncertainty]; such a file here, with --gap and no "
-        "--element, has its limit cycles predicted",
+        "the thesis (see --element), whose --parameters FILE has [uncertainty]; for a parameter file here, "
+        "with --gap and no --element, limit cycles are predicted",
     )
     add_count(parser, "--count", "samples; of --plan sobol and for --indices the next power of two", COUNT)
     parser.add_argument(
@@ -55,8 +55,8 @@ def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--indices",
         action="store_true",
-        help="Sobol indices: which number matters for what; of D numbers that scatter this takes N (D + 2) "
-        "samples; needs pip install 'trimmer[sensitivity]'",
+        help="Sobol indices: the share of each number in the scatter of each measure; for D numbers that "
+        "scatter this takes N (D + 2) samples; needs pip install 'trimmer[sensitivity]'",
     )
     add_count(
         parser,
@@ -183,8 +183,9 @@ COMMAND = Command(
     _run,
     examples=uses("""
     trimmer sample examples/scatter.toml --count 64
-        in how many of a series of trimmers the motion keeps to the drive, and how the stroke scatters
+        in how many of a series of trimmers the motion repeats in every drive period, and how the stroke
+        scatters
     trimmer sample examples/scatter.toml --count 32 --indices
-        which number of the trimmer is to blame for that
+        which number of the trimmer is responsible for that
     """),
 )

@@ -38,7 +38,7 @@ def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--back",
         action="store_true",
-        help="go back to A too: where the ways differ, and where each jumps, is told",
+        help="go back to A too, and say where the two ways differ and where each jumps",
     )
     add_count(parser, "--steps", "equal steps from A to B, both of which are among the N + 1 values", 100)
     measured = "drive periods at each value, of which the second half is measured"
@@ -46,7 +46,7 @@ def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--branch",
         action="store_true",
-        help="follow the exact periodic motions from A to B beside it, stable or not, as trimmer follow does",
+        help="also follow the exact periodic motions from A to B, stable or not, as trimmer follow does",
     )
     add_output_options(parser, "peak to peak both ways, and waterfalls over orders of the drive,")
 

@@ -29,14 +29,14 @@ if TYPE_CHECKING:
     from trimmer.mechanism.mechanism import Mechanism
 
 DRIVE_HELP = (
-    "frequency of the drive: of a mechanism that in the measurement (default: found within 3 %% of the "
-    "mechanism's), of a loop its own, near which that is found"
+    "frequency of the drive: for a mechanism, that of the measurement (default: found within 3 %% of the "
+    "mechanism's); for a loop, its own, near which that of the measurement is looked for"
 )
 
 
 def _configure(parser: ArgumentParser) -> None:
     add_input(
-        parser, "file", "mechanism, a TOML file, - for standard input; left out, a loop of the thesis moves"
+        parser, "file", "mechanism, a TOML file, - for standard input; without one, a loop (see --element)"
     )
     add_set_option(parser, OF_LOOP)
     add_motion_options(parser, output_is_file=True, drive_help=DRIVE_HELP)

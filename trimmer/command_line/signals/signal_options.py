@@ -110,7 +110,7 @@ def _add_stamp_options(parser: ArgumentParser) -> None:
         choices=GAPS,
         default="refuse",
         help="what to do about gaps in the time stamps: refuse, or split into stretches, of which the "
-        "longest is used, and all by --average; none is bridged (default: refuse)",
+        "longest is used; no gap is bridged (default: refuse)",
     )
     parser.add_argument(
         "--from", dest="begin", type=finite("s"), metavar="S", help="use samples from this time on"
@@ -144,7 +144,8 @@ def _add_conversion_options(parser: ArgumentParser) -> None:
         "--as",
         dest="quantity",
         choices=QUANTITIES,
-        help="integrate or differentiate to this quantity, in the band that can be trusted, which is told",
+        help="integrate or differentiate to this quantity, in the band that can be trusted, which the result "
+        "names",
     )
     for name, meaning in (("lowest", "lower"), ("highest", "upper")):
         parser.add_argument(

@@ -58,14 +58,14 @@ def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--closed-loop",
         action="store_true",
-        help="the pin follows the output although there is a drive; else a driven trimmer is not said to "
-        "have a limit cycle, which needs that feedback",
+        help="the output is fed back to the pin although there is a drive; without this option a driven "
+        "trimmer is taken to have no limit cycle, since that needs the feedback",
     )
     add_input(
         parser,
         "--against",
         "mechanism, a TOML file, whose natural modes, with its contacts closed and open, are looked for "
-        "in place of the thesis's, and whose motion stands beside; --output names its output",
+        "in place of the thesis's, and whose motion is shown for comparison; --output names its output",
     )
     add_set_option(parser)
     add_positive(
@@ -79,7 +79,7 @@ def _configure(parser: ArgumentParser) -> None:
     add_count(
         parser,
         "--average",
-        "average N spectra of segments that overlap by half too (Welch), of all stretches between gaps",
+        "also average the spectra of N segments that overlap by half (Welch), of all stretches between gaps",
     )
     add_loop_options(parser)
     add_json_option(parser)
