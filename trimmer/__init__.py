@@ -1,4 +1,4 @@
-"""Vibration of a hair trimmer: its linear model, and what can be computed from it.
+"""What play and dry friction do in a machine or a control loop: motions, branches, maps, limit cycles.
 
 Names are imported from their modules when they are first used, so importing the package costs nothing; the
 stub beside this file lists those at the top:
