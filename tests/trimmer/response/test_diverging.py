@@ -7,7 +7,16 @@ import pytest
 
 from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.trimmer.response.mechanisms import body
-from trimmer import Mechanism, MotionKind, OrbitNotFoundError, forced_orbit, motion_map, respond
+from trimmer import (
+    ClosedLoop,
+    Mechanism,
+    MotionKind,
+    OrbitNotFoundError,
+    Relay,
+    forced_orbit,
+    motion_map,
+    respond,
+)
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play
 from trimmer.response.results.response_json import response_json
 from trimmer.response.statistics.growth import grew
@@ -24,7 +33,16 @@ def test_what_was_lost_in_rounding_does_not_grow() -> None:
     """Velocities of 35 m/s at first, and later the rounding of what sticks; beside it one that does grow."""
     seen = [(7540.0, np.array([35.0])), (37700.0, np.array([1e-17])), (80786.0, np.array([3e-17]))]
     assert not grew(seen)
+    assert not grew(seen, at_last=True)
     assert grew([(time, np.array([0.1 * time])) for time, _ in seen])
+
+
+@pytest.mark.parametrize("state", [(0.1, 0.02, 0.003), (0.0, 0.001, 0.1), (0.0, 0.0, -1.0)])
+def test_a_relay_that_latches_before_an_integrator_diverges(state: tuple[float, ...]) -> None:
+    """From near an unstable orbit too: the static gain is negative, so that it drives its input on."""
+    plant = ([2.7, -1.04], [1.0, 14.9, 54.7, 0.0])
+    response = respond(ClosedLoop(plant, Relay(1.15, hysteresis=0.0094)), state=state)
+    assert "in proportion to the time" in response.message
 
 
 def test_an_undamped_resonance_diverges_and_beside_it_nothing_does() -> None:

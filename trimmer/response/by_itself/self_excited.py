@@ -94,8 +94,10 @@ def self_excited(flow: Flow, instant: Instant, most_periods: int | None = None) 
         return SelfExcited(waited, slow, slowly=True)
     unstable = next((each for each in known if not each.stable and not each.neutral), None)
     last = returns[-1].course
-    drifts = not last.events and nears_event(flow, last.begin, last.end)
-    if unstable is None and not returns[-1].chaotic and not drifts and grew(reached):
+    calm = not last.events
+    drifts = calm and nears_event(flow, last.begin, last.end)
+    # What nears no event any more has left an orbit that it passed, and what was before, behind.
+    if (calm or unstable is None) and not returns[-1].chaotic and not drifts and grew(reached, calm):
         raise DivergingMotionError(
             f"it diverges: until {waited:.6g} s it grew in proportion to the time or faster, and nothing "
             "held it"

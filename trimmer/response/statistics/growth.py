@@ -75,13 +75,15 @@ def nears_event(flow: Flow, begin: Instant, end: Instant) -> bool:
     return any(function.row @ (last - first) < 0 for function in mode.functions)
 
 
-def grew(reached: Sequence[tuple[float, Reals]]) -> bool:
+def grew(reached: Sequence[tuple[float, Reals]], at_last: bool = False) -> bool:
     """Say whether a motion without a drive has grown in proportion to its age each time it was looked at.
 
     Args:
         reached: Times, s, and sizes then, as of ``state_sizes``.
+        at_last: Whether the last time is asked alone.
     """
     pairs = [(first, last) for first, last in list(pairwise(reached))[1:] if last[0] >= TWICE * first[0]]
+    pairs = pairs[-1:] if at_last else pairs
     growing = [sizes >= PROPORTIONAL * (age / younger) * before for (younger, before), (age, sizes) in pairs]
     moving = reached[-1][1] > NEGLIGIBLE * np.max([sizes for _, sizes in reached], axis=0)
     return bool(growing) and bool((np.all(growing, axis=0) & moving).any())
