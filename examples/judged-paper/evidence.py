@@ -8,8 +8,8 @@ from sympy import Expr, cos, pi, simplify, sin, solve, symbols
 
 import trimmer
 
-FOLDER, HERTZ = Path(__file__).parent, math.sqrt(2000 / 0.5) / (2 * math.pi)
-TABLE = [line[2:-2].split(" | ") for line in (FOLDER / "paper.md").read_text("utf-8").splitlines()[36:41]]
+PAPER, HERTZ = Path(__file__).with_name("paper.md"), math.sqrt(2000 / 0.5) / (2 * math.pi)
+TABLE = [row[2:-2].split(" | ") for row in PAPER.read_text("utf-8").splitlines() if row[2:3].isdigit()]
 BETA, SHARE = symbols("beta rho", positive=True)  # ratio of frequencies, and F/P
 V, U = 1 / (1 - BETA**2), sin(pi / BETA) / (BETA * (1 + cos(pi / BETA)))
 APPROXIMATION = V**2 * (1 - (4 * SHARE / pi) ** 2)  # square of the amplitude per P/k
@@ -37,7 +37,7 @@ def gather() -> Evidence:
     ends = [(motion - start, 0), (motion + start, half), (speed, 0), (speed, half)]
     found = solve([zero.subs(t, end) for zero, end in ends], [free, other, force, sine])
     per_start, lag = simplify(found[force] / start), simplify(found[sine])
-    oscillator = trimmer.Mechanism.from_toml(FOLDER / "oscillator.toml")
+    oscillator = trimmer.Mechanism.from_toml(PAPER.with_name("oscillator.toml"))
     driven = {float(row[0]): oscillator.with_value("frequency", float(row[0]) * HERTZ) for row in TABLE}
     measured = {beta: trimmer.forced_orbit(each).measures for beta, each in driven.items()}
     orbits = {beta: each.outputs["x"].peak_to_peak / 2 / 0.002 for beta, each in measured.items()}

@@ -6,8 +6,9 @@ Gantmakher 1958; Leine and Nijmeijer 2004, chapter 7). Where stick or contact ta
 matrix is singular.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -139,7 +140,7 @@ class Jump:
     rates: Reals  # Rates of the state before, 1/s, (N,)
     change: Reals  # Rates afterwards less those before, as the reset leaves them, (N,)
     kind: int | None = None  # What an impulse that was decided counts as; None for any other
-    # Numbers of modes and of functions in them of what follows from it, and whose resets are in its own
+    # Of what follows from it, and whose resets are in its own: numbers of modes, and of functions in them
     following: Sequence[tuple[int, int]] = ()
 
     @property
@@ -159,18 +160,22 @@ def jumps(modes: Modes[Any], log: Log, first: int, last: int) -> Iterator[Jump]:
     found = list(changes(modes, log, first, last, int(log.function[events[0]])))
     resets = [modes.system.reset(modes[before], function) for before, function, _ in found]
     following = _that_follow(modes, log, events, found)
-    for mode, number in following:
-        reset = modes.system.reset(modes[mode], modes[mode].functions[number])
-        resets[-1] = reset if resets[-1] is None else reset @ resets[-1]
+    resets[-1] = in_turn([resets[-1], *(reset for _, reset in following)])
     jumping = any(each is not None for each in resets)
     here = _before(modes, log, first) if jumping else log.state[first]
     for place, ((before, function, after), reset) in enumerate(zip(found, resets, strict=True), start=1):
         there = log.state[last] if not jumping else here if reset is None else reset @ here
         rates = modes[before].flow @ here
         change = modes[after].flow @ there - (rates if reset is None else reset @ rates)
-        late = following if place == len(found) else ()
+        late = [number for number, _ in following] if place == len(found) else ()
         yield Jump(before, function, after, here, there, reset, rates, change, following=late)
         here = there
+
+
+def in_turn(resets: Iterable[Reals | None]) -> Reals | None:
+    """Return the reset, (N, N), that some make one after the other; None if there is none among them."""
+    made = [each for each in resets if each is not None]
+    return reduce(lambda total, each: each @ total, made) if made else None
 
 
 def _impulse(modes: Modes[Any], log: Log, row: int) -> tuple[Reals, Reals] | None:
@@ -208,13 +213,17 @@ def _before(modes: Modes[Any], log: Log, row: int) -> Reals:
 
 def _that_follow(
     modes: Modes[Any], log: Log, events: Sequence[int], found: Sequence[tuple[int, EventFunction, int]]
-) -> list[tuple[int, int]]:
-    """Return modes and functions in them of what resets the state beside what falls to zero."""
+) -> list[tuple[tuple[int, int], Reals]]:
+    """Return mode, function in it and reset, (N, N), of what resets the state beside what falls to zero."""
     known = {_at_status(modes[before], function) for before, function, _ in found}
-    places = [(int(log.mode[row - 1]), int(log.function[row])) for row in events[1:]]
-    each = [(modes[mode], modes[mode].functions[number]) for mode, number in places]
-    new = [_at_status(*one) not in known and modes.system.reset(*one) is not None for one in each]
-    return [place for place, resets in zip(places, new, strict=True) if resets]
+    following = []
+    for row in events[1:]:
+        number, place = int(log.mode[row - 1]), int(log.function[row])
+        fired = modes[number], modes[number].functions[place]
+        reset = None if _at_status(*fired) in known else modes.system.reset(*fired)
+        if reset is not None:
+            following.append(((number, place), reset))
+    return following
 
 
 def _at_status(mode: ModeEquations, function: EventFunction) -> tuple[int, int, int]:

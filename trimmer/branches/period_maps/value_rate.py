@@ -19,7 +19,7 @@ from trimmer.hybrid.propagation import (
 from trimmer.hybrid.system import System
 from trimmer.hybrid.tables import NO_RESET, Modes, Tables
 from trimmer.hybrid.taylor import DEGREE
-from trimmer.hybrid.variation import Jump, end_of_instant, identity, jumps
+from trimmer.hybrid.variation import Jump, end_of_instant, identity, in_turn, jumps
 from trimmer.hybrid.work import Log
 from trimmer.kept_property import cached_property
 from trimmer.motion.course import Course
@@ -188,13 +188,9 @@ class ValueChange:
         row_rate: Reals = self.slopes.functions[mode, function]
         if jump.reset is None:
             return row_rate, None
-        total = None
-        for number, place in ((mode, function), *jump.following):
-            changed = self.other.mode(modes[number].statuses)
-            reset = self.other.reset(changed, changed.functions[place])
-            if reset is not None:
-                total = reset if total is None else reset @ total
-        return row_rate, total
+        places = (mode, function), *jump.following
+        changed = [(self.other.mode(modes[number].statuses), place) for number, place in places]
+        return row_rate, in_turn(self.other.reset(each, each.functions[place]) for each, place in changed)
 
     def _place_of(self, jump: Jump, first: int) -> tuple[int, int]:
         """Return in which mode an event function is, and its number there: of the first mode that has it."""

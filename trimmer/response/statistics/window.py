@@ -206,7 +206,7 @@ def joined(first: Watched, second: Watched) -> Watched:
 
 def _rooted(root: float, square: Estimate) -> Estimate:
     """Return a root with the uncertainty that its square hands on."""
-    return Estimate(root, square.uncertainty / (2 * root or 1.0))
+    return Estimate(root, square.uncertainty / (2 * root) if root else 0.0)
 
 
 def _row(flow: Flow, instant: Instant, together: int, unit: float) -> Course:
