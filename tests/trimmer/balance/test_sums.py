@@ -95,6 +95,18 @@ def test_a_relay_that_does_not_switch_leaves_the_certificate(hysteresis: float) 
     ]
 
 
+def test_it_does_not_matter_to_a_certificate_how_sums_are_nested() -> None:
+    """The backlash wants so large an amplitude that the relay beside the saturation stays bounded."""
+    relay, limit, play = Relay(0.1), Saturation(1.0), FrictionBacklash(gap=0.2)
+    nested = (relay + limit) + play, relay + (limit + play)
+    first, second = (harmonic_balance(40 / (s + 1) ** 3, each) for each in nested)
+    assert first.certificate.complete
+    assert second.certificate.complete
+    assert [each.amplitude for each in first.limit_cycles] == pytest.approx(
+        [each.amplitude for each in second.limit_cycles], rel=1e-12
+    )
+
+
 @pytest.mark.parametrize("level", [0.1, 1.0])
 def test_a_relay_beside_what_saturates_is_searched_on_a_grid(level: float) -> None:
     """N grows without bound, and not like 1/A; 1/(s (s + 1) (s + 2)) is -1/6 at sqrt(2)."""

@@ -52,6 +52,12 @@ def test_bounds_of_a_relay_with_thresholds_are_not_far_off(relay: Relay, lower: 
     assert arrays[0, 1] == relay.sensitivity((lower, 1.0)).by_u > 1e7
 
 
+@pytest.mark.parametrize("relay", [each for each in RELAYS if each.dead_zone > each.hysteresis], ids=repr)
+def test_of_a_relay_that_rests_nothing_changes(relay: Relay) -> None:
+    beyond = (1.0, 1.7)
+    assert relay.sensitivity(beyond).by_u == relay.variation(beyond).by_u == relay.reach(beyond) == 0.0
+
+
 def test_beyond_the_threshold_only_a_relay_without_hysteresis_has_a_reach() -> None:
     for relay in RELAYS[:3]:
         reach = relay.reach((np.array([0.1, 0.5]), np.array([1.1, 0.6])))

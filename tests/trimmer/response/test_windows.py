@@ -127,6 +127,22 @@ def test_exponents_of_chaos_add_up_to_the_divergence_of_the_flow(chaos: Response
     assert "Chaos over 572 drive periods may still be a transient" in chaos.message
 
 
+def test_what_stands_still_beside_chaos_is_known_to_rounding() -> None:
+    text = """
+    frequency = 0.079577471545947673
+    bodies = { body = { mass = 1.0 }, beside = { mass = 1.0 } }
+    links.spring = { between = ["ground", "body"], stiffness = 1.0, damping = 0.1 }
+    links.post = { between = ["ground", "beside"], stiffness = 3.0, damping = 1.0 }
+    stops.wall = { between = ["ground", "body"], stiffness = 30.0, gap = 0.1 }
+    forces.push = { on = "body", amplitude = 1.0 }
+    forces.pull = { on = "beside", constant = 1.0 }
+    outputs = { x = { body = 1.0 }, y = { beside = 1.0 } }
+    """
+    motion = respond(Mechanism.from_toml_text(text), most_periods=60).motion
+    assert motion.kind is MotionKind.CHAOTIC
+    assert motion.rms["y"].value + motion.rms["y"].uncertainty <= motion.peak_to_peak["y"] < 1e-14
+
+
 @pytest.mark.slow
 def test_chaos_is_scaled_with_forces_and_gaps(chaos: Response) -> None:
     """By powers of two, which round nothing."""

@@ -3,6 +3,7 @@
 Without a drive the mean time of a return stands for its period; rates are per s then.
 """
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -78,9 +79,8 @@ class Watched:
         for place, name in enumerate(self.flow.outputs):
             mean = self.means[:, place].mean()
             square = mean_of(self.squares[:, place] - 2 * mean * self.means[:, place] + mean**2)
-            # At most half of peak to peak: of what stands far from zero the difference is rounding.
-            root = min(float(np.sqrt(max(square.value, 0.0))), 0.5 * self.peak_to_peak[name])
-            found[name] = _rooted(root, square)
+            # Of what stands far from zero the difference is rounding.
+            found[name] = _root(square, 0.5 * self.peak_to_peak[name])
         return found
 
     @cached_property
@@ -110,9 +110,7 @@ class Watched:
         """Root of the mean square of the acceleration of each body, m/s²."""
         found = {}
         for place, name in enumerate(self.flow.accelerations):
-            square = mean_of(self.accelerations[:, place])
-            root = float(np.sqrt(square.value))
-            found[name] = _rooted(root, square)
+            found[name] = _root(mean_of(self.accelerations[:, place]))
         return found
 
     @property
@@ -204,9 +202,10 @@ def joined(first: Watched, second: Watched) -> Watched:
     return replace(first, end=second.end, ending=second.ending, **both)
 
 
-def _rooted(root: float, square: Estimate) -> Estimate:
-    """Return a root with the uncertainty that its square hands on."""
-    return Estimate(root, square.uncertainty / (2 * root) if root else 0.0)
+def _root(square: Estimate, most: float = math.inf) -> Estimate:
+    """Return the root of a mean square, which is known to be at most so large."""
+    root = min(math.sqrt(max(square.value, 0.0)), most)
+    return Estimate(root, min(square.uncertainty / (2 * root), most) if root else 0.0)
 
 
 def _row(flow: Flow, instant: Instant, together: int, unit: float) -> Course:
