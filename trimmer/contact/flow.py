@@ -25,7 +25,7 @@ from trimmer.contact.readouts.readouts import (
     wall_measures,
 )
 from trimmer.contact.sampled import SampledControllers
-from trimmer.contact.stability import NEGLIGIBLE, damping, is_bounded, is_mirror_symmetric
+from trimmer.contact.stability import NEGLIGIBLE, damping, is_bounded, is_mirror_symmetric, only_loses_energy
 from trimmer.contact.start import instant_at, require_within_walls, set_free
 from trimmer.contact.state.frame import Frame, frame_of
 from trimmer.contact.state.references import settled_references
@@ -366,6 +366,11 @@ class MechanismFlow(Flow):
         to the speed. So the energy falls wherever it is large, unless a pin goes on for ever.
         """
         return is_bounded(self.mechanism, self.modes.system.machine)
+
+    @property
+    def only_loses_energy(self) -> bool:
+        """Whether nothing brings energy into a motion, and something takes it away."""
+        return only_loses_energy(self.mechanism, self.modes.system.machine)
 
     def damping(self, mode: ModeEquations, states: Complexes, rates: Complexes, margins: Reals) -> Reals:
         """Return the real parts of λ, exactly zero where nothing damps or rounding cannot tell.

@@ -42,16 +42,35 @@ def is_bounded(mechanism: Mechanism, machine: Machine) -> bool:
     """Say whether links hold and damp every displacement, so that no motion can grow for ever."""
     if any(pin.velocity for pin in mechanism.pins.values()) or mechanism.controllers:
         return False
-    # Relative to the mass: of L⁻¹ K L⁻ᵀ with M = L Lᵀ.
+    return all(
+        values[0] > NEGLIGIBLE * abs(values[-1])
+        for values in (_resistance(mechanism, machine, of_rates=each) for each in (False, True))
+    )
+
+
+def only_loses_energy(mechanism: Mechanism, machine: Machine) -> bool:
+    """Say whether nothing brings energy into a motion, and something takes it away.
+
+    Such a motion comes to rest, or slows down for ever; it neither repeats nor is chaotic in the end.
+    """
+    fed = mechanism.frequency is not None or mechanism.drives or mechanism.controllers
+    if fed or any(pin.velocity for pin in mechanism.pins.values()):
+        return False
+    resistance = _resistance(mechanism, machine, of_rates=True)
+    rubs = len(machine.kinetic) or machine.curve_by_speed.any()
+    takes = resistance[-1] > 0 or machine.damping.any() or rubs or (machine.restitution < 1.0).any()
+    return bool(takes and resistance[0] >= -NEGLIGIBLE * abs(resistance[-1]))
+
+
+def _resistance(mechanism: Mechanism, machine: Machine, *, of_rates: bool) -> Reals:
+    """Return the eigenvalues of stiffness or damping relative to the mass, rising: of L⁻¹ K L⁻ᵀ, M = L Lᵀ."""
     factor = np.linalg.cholesky(inertia_of(mechanism).matrix)
     count, base = len(factor), machine.base.copy()
     add_least_curves(machine, base)
-    for block in (slice(0, count), slice(count, 2 * count)):  # of stiffness, of damping
-        resisting = -np.linalg.solve(factor, (factor.T @ base[count : 2 * count, block]).T)
-        values = np.linalg.eigvalsh(0.5 * (resisting + resisting.T))
-        if values[0] <= NEGLIGIBLE * abs(values[-1]):
-            return False
-    return True
+    block = slice(count, 2 * count) if of_rates else slice(0, count)
+    resisting = -np.linalg.solve(factor, (factor.T @ base[count : 2 * count, block]).T)
+    values: Reals = np.linalg.eigvalsh(0.5 * (resisting + resisting.T)).astype(np.float64)
+    return values
 
 
 def damping(

@@ -104,6 +104,11 @@ class Flow(ABC):
     def is_bounded(self) -> bool:
         """Whether it is known that no motion can grow without bound."""
 
+    @property
+    def only_loses_energy(self) -> bool:
+        """Whether it is known that a motion loses energy until it rests, or for ever."""
+        return False
+
     @abstractmethod
     def rest(self, start: Mapping[str, tuple[float, ...]] | None = None) -> Instant:
         """Return the instant t = 0 at rest, or where the subject's own start, or another one, puts it."""

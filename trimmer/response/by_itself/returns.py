@@ -29,8 +29,6 @@ GROWN = 1e3  # Growth of a distance, at least, in chaos
 SMALLEST = 1e-16  # Growth of a distance below which it counts as lost
 APART = 1e-9  # Distance of the neighbour at first, as a share of the sizes of the states
 SEED = 3  # Of the direction of distances
-SLOWER = 1.5  # Factor by which each return takes longer than that before where a motion slows down
-SLOWER_RETURNS = 3  # Returns, at least, by which it is told that it does
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,12 +65,6 @@ class Returns:
         """Return how long the motion lasts, s, or so many of its returns if it has more."""
         return self.course.duration if self.count <= most else most * self.mean
 
-    @property
-    def slows_down(self) -> bool:
-        """Whether the last returns took each so much longer than that before that it will never repeat."""
-        lasted = np.diff(self.course.log.start[self.rows])[-1 - SLOWER_RETURNS :]
-        return len(lasted) > SLOWER_RETURNS and bool((lasted[1:] > SLOWER * lasted[:-1]).all())
-
     @cached_property
     def exponent(self) -> Estimate | None:
         """Largest Lyapunov exponent per s over the last returns; None if there are too few."""
@@ -86,8 +78,8 @@ class Returns:
 
     @cached_property
     def chaotic(self) -> bool:
-        """Whether distances grow as in chaos, and a neighbour that is followed leaves too."""
-        if self.exponent is None:
+        """Whether distances grow as in chaos, and a neighbour leaves too; never of what only loses energy."""
+        if self.exponent is None or self.flow.only_loses_energy:
             return False
         seen = min(self.count, MEASURED) * self.mean
         surely = self.exponent.value - ERRORS * self.exponent.uncertainty > 0

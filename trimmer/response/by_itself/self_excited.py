@@ -16,8 +16,9 @@ from trimmer.response.by_itself.asymptotic import asymptotic_rest, runs_on
 from trimmer.response.by_itself.dying_away import rest_dying_away
 from trimmer.response.by_itself.recurrences import recurrences, recurring
 from trimmer.response.by_itself.returns import Returns
+from trimmer.response.by_itself.slowing_down import slowing_down
 from trimmer.response.periodic.orbit import Orbit
-from trimmer.response.results.response import MotionKind
+from trimmer.response.results.response import MotionKind, SlowingDown
 from trimmer.response.settling.solved import Solved, solved
 from trimmer.response.statistics.growth import grew, nears_event, state_sizes
 from trimmer.response.without_events.linear_motion import grows_for_ever, linear_motion
@@ -46,6 +47,7 @@ class SelfExcited:
     returns: Returns | None = None  # The last stretch that was followed, where nothing repeats
     # Whether the orbit was not reached, but came nearer in each period as its multiplier says
     slowly: bool = False
+    slowing: SlowingDown | None = None  # How it slows down for ever
 
     @property
     def cut_short(self) -> bool:
@@ -102,7 +104,8 @@ def self_excited(flow: Flow, instant: Instant, most_periods: int | None = None) 
             f"it diverges: until {waited:.6g} s it grew in proportion to the time or faster, and nothing "
             "held it"
         )
-    return SelfExcited(waited, passed=unstable, unit=unit, returns=returns[-1])
+    slowing = slowing_down([each.course for each in returns])
+    return SelfExcited(waited, passed=unstable, unit=unit, returns=returns[-1], slowing=slowing)
 
 
 def _without_events(flow: Flow, instant: Instant, waited: float) -> SelfExcited | None:

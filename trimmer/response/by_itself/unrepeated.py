@@ -8,10 +8,11 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.signals import along
 from trimmer.response.by_itself.returns import Returns
 from trimmer.response.by_itself.self_excited import STRETCHES, SelfExcited
-from trimmer.response.results.response import MotionKind, SettledMotion, Swings
+from trimmer.response.results.response import MotionKind, SettledMotion, SlowingDown, Swings
 from trimmer.response.statistics.window import Watched, watch
 from trimmer.showing.shown import counted
 
+ALIKE = 0.05  # Share of what factors exceed 1 by up to which they are told as one
 RETURNS = 512
 """Returns over which it is watched, or all of the last stretch that was followed if it has fewer."""
 
@@ -28,12 +29,13 @@ def unrepeated(flow: Flow, found: SelfExcited, most_periods: int | None) -> Sett
     chaotic = returns is not None and returns.chaotic
     window = None if returns is None or not returns.count or found.cut_short else _watched(flow, returns)
     kind = MotionKind.CHAOTIC if chaotic else MotionKind.UNDECIDED
-    told = _told(found, window) if chaotic else _undecided(found, most_periods)
+    told = _told(found, window) if chaotic else _undecided(flow, found, most_periods)
     if window is not None and returns is not None:
         begin = found.waited - returns.course.duration
         told += f" Figures are those of {window.duration:.6g} s from {begin:.6g} s on."
     swings = _swings(found)
-    return SettledMotion(kind, None, window, 0, None, told + _swings_told(flow, swings), swings=swings)
+    told += _swings_told(flow, swings)
+    return SettledMotion(kind, None, window, 0, None, told, swings=swings, slowing=found.slowing)
 
 
 def _watched(flow: Flow, returns: Returns) -> Watched | None:
@@ -78,7 +80,7 @@ def _swings_told(flow: Flow, swings: Swings | None) -> str:
     )
 
 
-def _undecided(found: SelfExcited, most_periods: int | None) -> str:
+def _undecided(flow: Flow, found: SelfExcited, most_periods: int | None) -> str:
     searched = round(found.waited / found.unit)
     told = f"Nothing repeats within {found.waited:.6g} s"
     if found.passed is not None:
@@ -86,12 +88,25 @@ def _undecided(found: SelfExcited, most_periods: int | None) -> str:
             f"Within {found.waited:.6g} s it settles to nothing that repeats; it passes an unstable motion "
             f"with a period of {found.passed.period:.9g} s"
         )
-    if found.returns is not None and found.returns.slows_down:
-        return f"{told}: each return takes longer than that before, so that it slows down for ever."
+    if found.slowing is not None:
+        return _slowing(found.slowing, found.waited)
     if found.cut_short:
         return f"{told}, and it was followed no further: {Ending.STEP_LIMIT.value}."
     longer = 10 * max(searched, sum(STRETCHES) if most_periods is None else most_periods)
+    loses = " Nothing brings energy into it, so that it comes to rest or slows down for ever."
+    told_of_energy = loses if flow.only_loses_energy else ""
     return (
         f"{told}, {searched} periods of its slowest mode; {longer} of them would be followed with "
-        f"most_periods={longer} (--periods {longer}), and another start may settle."
+        f"most_periods={longer} (--periods {longer}), and another start may settle.{told_of_energy}"
+    )
+
+
+def _slowing(seen: SlowingDown, waited: float) -> str:
+    alike = seen.largest - seen.least <= ALIKE * (seen.least - 1.0)
+    factors = f"{seen.largest:.4g}" if alike else f"{seen.least:.4g} to {seen.largest:.4g}"
+    return (
+        "It slows down for ever: it never rests, and never repeats. Between its events it moves on freely, "
+        f"and each of its last {seen.returns} returns takes {factors} times as long as the one before, the "
+        f"last one {seen.last:.4g} s, with a speed that is as much less. So its speed falls as one over the "
+        f"time, and its kinetic energy as one over the square of it, as was seen within {waited:.6g} s."
     )

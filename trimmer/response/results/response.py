@@ -67,6 +67,23 @@ class Swings:
     peak_to_peak: Mapping[str, float]
 
 
+@dataclass(frozen=True)
+class SlowingDown:
+    """How a motion slows down for ever.
+
+    Attributes:
+        returns: Number of its last returns by which that was seen.
+        least: By what factor each of these takes longer than that before, the least one.
+        largest: The largest one.
+        last: How long the last return takes, s.
+    """
+
+    returns: int
+    least: float
+    largest: float
+    last: float
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class SettledMotion(Shown):
     """A motion that one or several starts settle to.
@@ -84,6 +101,7 @@ class SettledMotion(Shown):
         share: Their share of all starts.
         mirrored: Whether it is the mirror image of the motion before it in the list.
         swings: How far it swung, if it took more steps than are followed.
+        slowing: How it slows down for ever, if it does.
     """
 
     kind: MotionKind
@@ -98,6 +116,7 @@ class SettledMotion(Shown):
     share: float = 1.0
     mirrored: bool = False
     swings: Swings | None = None
+    slowing: SlowingDown | None = None
 
     @property
     def period_count(self) -> int | None:

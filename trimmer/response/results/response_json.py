@@ -57,6 +57,7 @@ def motion_json(motion: SettledMotion) -> dict[str, Any]:
         "spectrum": _spectrum(motion),
         "message": motion.message,
         **({} if motion.swings is None else {"swings": asdict(motion.swings)}),
+        **({} if motion.slowing is None else {"slowing": asdict(motion.slowing)}),
     }
 
 

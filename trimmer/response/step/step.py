@@ -170,6 +170,8 @@ def _ending(end: StepEnd, settles_to: Response) -> str:
     if end.rests:
         return "where it rests"
     orbit = settles_to.motion.orbit
+    if settles_to.motion.slowing is not None:
+        return "while it slows down for ever"
     if orbit is None:
         return "where it hunts evenly" if end.settled else "without having settled"
     count = round(end.course.duration / orbit.period)

@@ -17,6 +17,7 @@ from trimmer.motion.extremes import extremes, turning_points
 from trimmer.motion.signals import along
 from trimmer.motion.time_scale import time_scale
 from trimmer.response.by_itself.asymptotic import asymptotic_rest
+from trimmer.response.by_itself.slowing_down import slowing_down
 from trimmer.response.periodic.orbit import Orbit
 from trimmer.response.settling.solved import rest_after
 from trimmer.response.without_events.rest import at_rest
@@ -140,7 +141,7 @@ def _end(
     if cycle is None:
         first = points.values[(points.times >= begin) & (points.times <= 0.5 * (begin + until))]
         sizes = [float(np.ptp(np.append(each, edges[1]))) for each in (first, spans[1])]
-        settled = min(sizes) > (1.0 - alike) * max(sizes)
+        settled = min(sizes) > (1.0 - alike) * max(sizes) and slowing_down([course]) is None
         return StepEnd(flow, course, False, lowest, highest, mean, settled)
     own = np.array(extremes(cycle.course, cycle.flow.outputs[output].signal))
     apart = [abs(each - (lowest, highest)).max() for each in (own, 2 * wanted - own[::-1])]
