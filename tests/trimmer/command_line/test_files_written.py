@@ -67,6 +67,34 @@ def test_a_first_file_is_kept_unless_it_is_empty(words: list[str], capsys) -> No
         assert Path(name).is_symlink() and not Path("nowhere").exists()
 
 
+RECORD = "time [s],x [m]\n" + "".join(f"{at / 1000},{at % 7 / 1e3}\n" for at in range(2000))
+BELT = str(EXAMPLES / "block-on-belt.toml")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        [*MOTION, "--plot", "a.svg"],
+        [*MOTION, "--csv", "a.csv"],
+        [*MOTION, "--output", "stroke", "--wav", "a.wav"],
+        ["spectrum", "record.csv", "--csv", "a.csv"],
+        ["spectrum", "record.csv", "--wav", "a.wav"],
+        ["derive", BELT, "--latex", "other.tex", "--module", "a.py"],
+        ["derive", BELT, "--module", "other.py", "--latex", "a.tex"],
+        ["map", TWIN, "--vary", "frequency=60:61:2", "--periods", "2", "--output", "a.jsonl"],
+    ],
+    ids=lambda words: f"{words[0]} {words[-1]}",
+)
+def test_a_file_of_another_kind_is_replaced_only_if_asked(words: list[str]) -> None:
+    Path("record.csv").write_text(RECORD)
+    target = Path(words[-1])
+    target.write_bytes(BEGINNINGS["pdf"])
+    assert main(words) == 2
+    assert target.read_bytes() == BEGINNINGS["pdf"]
+    assert main([*words, "--overwrite"]) == 0
+    assert not target.read_bytes().startswith(BEGINNINGS["pdf"])
+
+
 def test_a_file_named_dash(folder: Path) -> None:
     assert main(["parameters", "--output", "./-"]) == 0
     assert (folder / "-").exists()
