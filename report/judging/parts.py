@@ -67,7 +67,7 @@ def digits(
 def assertion(
     label: str,
     statement: str,
-    derived: bool,
+    derived: bool | tuple[bool, ...],
     evidence: str,
     *,
     method: str,
@@ -77,10 +77,10 @@ def assertion(
     """Hold what the thesis asserts, in our words, against what was found.
 
     The label is empty for the only part. The statement and its evidence are Markdown; ``asserted`` is False
-    where the thesis denies the property.
+    where the thesis denies the property. Of several findings all have to hold.
     """
     statement, evidence, method = map(one_line, (statement, evidence, method))
-    return part(label, Assertion(statement, bool(derived), evidence, method, asserted), **more)
+    return part(label, Assertion(statement, _hold(derived), evidence, method, asserted), **more)
 
 
 def expression(
@@ -167,6 +167,13 @@ def small(means: str, value: float, bound: float = 1e-9) -> Confirmation:
     return Confirmation(one_line(means), Small(value, bound))
 
 
-def so(means: str, holds: bool) -> Confirmation:
-    """Confirm a finding by another way to it, of which is known whether it leads to the same finding."""
-    return Confirmation(one_line(means), Equal(bool(holds), True))
+def so(means: str, holds: bool | tuple[bool, ...]) -> Confirmation:
+    """Confirm a finding by another way to it, of which is known whether it leads to the same finding.
+
+    If it is seen by several things, all have to hold.
+    """
+    return Confirmation(one_line(means), Equal(_hold(holds), True))
+
+
+def _hold(findings: bool | tuple[bool, ...]) -> bool:
+    return all(findings) if isinstance(findings, tuple) else bool(findings)

@@ -21,7 +21,7 @@ def components(known: Evidence) -> Record:
     yield assertion(
         "guard to guard housing, guard housing to plastic housing",
         "the guard is carried by the guard housing, and this by the plastic housing",
-        stiffness[3, 2] != 0 and to_surroundings[2] != 0 and to_surroundings[3] == 0,
+        (stiffness[3, 2] != 0, to_surroundings[2] != 0, to_surroundings[3] == 0),
         f"""
         the guard is tied by ${sympy.latex(-stiffness[3, 2])}$ to its housing and by nothing to the
         surroundings, the housing by ${sympy.latex(to_surroundings[2])}$

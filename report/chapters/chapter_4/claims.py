@@ -106,7 +106,7 @@ def gaps(_: Evidence) -> Record:
     yield assertion(
         "$b$ = 0",
         "the output is the input",
-        distance <= VANISHING and backlash.inertia_contact_ratio().subs(backlash.CONTACT, 0) == 0,
+        (distance <= VANISHING, backlash.inertia_contact_ratio().subs(backlash.CONTACT, 0) == 0),
         f"{vanishes}; at $b = 10^{{-9}}A$ output and input differ by {share} A",
         method="the derived waveform for a vanishing gap",
         second=close("its describing function, which is one", gain, 1.0, 1e-8),
@@ -198,7 +198,7 @@ def roles(_: Evidence) -> Record:
     yield assertion(
         "$D$ as the amount of inertia, $M$ as the amount of friction",
         "the load keeps its speed longer with a larger $D$ or a smaller $M$",
-        free.diff(LOAD_DAMPING).is_positive is True and free.diff(LOAD_MASS).is_negative is True,
+        (free.diff(LOAD_DAMPING).is_positive is True, free.diff(LOAD_MASS).is_negative is True),
         f"a load in free flight has $v/v_0 = {sympy.latex(free)}$",
         method=r"sign of the derivatives of the solution of $M\dot v + Dv = 0$",
         second=so(means, 0 < lighter < usual < heavier < 1),

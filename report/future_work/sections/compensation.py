@@ -72,11 +72,11 @@ def answer(known: Evidence) -> Observed:
         chaotic and the motor calmer: {exact[0][5]:.0f} m/s² without, {exact[-1][5]:.0f} m/s² with full
         compensation.
     """)
-    yield so("no limit cycle without compensation, two with half of it", 0 < least < HALF and small < half)
+    yield so("no limit cycle without compensation, two with half of it", (0 < least < HALF, small < half))
     small_push, large_push = released(TOO_MUCH[1])
     yield so(
         f"motions of 2 s that begin with {PUSHES[0]:g} and {PUSHES[1]:g} m/s, {TOO_MUCH[1] - 1:.0%} too much",
-        abs(small_push[1] / large_push[1] - 1) < ALIKE and shaken < full.unstable.amplitude,
+        (abs(small_push[1] / large_push[1] - 1) < ALIKE, shaken < full.unstable.amplitude),
     )
     yield so("kinds of motion of the twin", (exact[0][2], exact[-1][2]) == ("periodic", "chaotic"))
 

@@ -129,7 +129,7 @@ def limits(known: Evidence) -> Observed:
         and no M/D. Such a measurement needs the loop of section 5.2, closed by a controller: the driven
         trimmer has no limit cycle to measure.
     """)
-    yield so("the frequency at the fold lies below the band", fold < stable[0, 1] and reach[1] < stable[0, 1])
+    yield so("the frequency at the fold lies below the band", (fold < stable[0, 1], reach[1] < stable[0, 1]))
 
 
 SECTION: Final = SectionRecord("future-load", "M/D from a measurement", (answer, drawing, how, limits))

@@ -81,11 +81,11 @@ def answer(known: Evidence) -> Observed:
         "two plays and one play of both, sample by sample", abs(twice - behind_play(wave, 1.0)).max(), 1e-12
     )
     yield so(
-        "wide seats are not reached", float(np.ptp(seats[-2:, 1])) < 1e-6 and 2 * seats[-1, 3] < seats[-1, 0]
+        "wide seats are not reached", (float(np.ptp(seats[-2:, 1])) < 1e-6, 2 * seats[-1, 3] < seats[-1, 0])
     )
     yield so(
         "changes of the stroke and of the motor",
-        0 < 1 - wide[4] / tight[4] < 0.1 and most < 0.1 and calm[5] > 0,
+        (0 < 1 - wide[4] / tight[4] < 0.1, most < 0.1, calm[5] > 0),
     )
 
 

@@ -15,16 +15,14 @@ MICRO = 1e6
 
 def trunk(known: Evidence) -> KeptBranch:
     """Return the branch of the drive's period."""
-    return next(
-        each for each in known.twin.branches if each.course.name == COURSES[0].name and not each.parted
-    )
+    named = (COURSES[0].name, "")
+    return next(each for each in known.twin.branches if (each.course.name, each.parted) == named)
 
 
 def island(known: Evidence) -> KeptBranch:
     """Return the branch of three drive periods."""
-    return next(
-        each for each in known.twin.branches if each.course.name == COURSES[1].name and not each.parted
-    )
+    named = (COURSES[1].name, "")
+    return next(each for each in known.twin.branches if (each.course.name, each.parted) == named)
 
 
 @observation("twin-trunk", source=BRANCH, title="The drive's period.")
@@ -69,7 +67,7 @@ def three_periods(known: Evidence) -> Observed:
     yield so("the branch closes on itself", branch.message.startswith("it closes on itself"))
     yield so(
         "its orbits lie between the two folds",
-        min(folds) - 1e-9 <= float(branch.values.min()) and float(branch.values.max()) <= max(folds) + 1e-9,
+        (min(folds) - 1e-9 <= float(branch.values.min()), float(branch.values.max()) <= max(folds) + 1e-9),
     )
     yield close(
         "its stroke at 0.2 mm is that of the motion from rest",

@@ -103,7 +103,7 @@ def reaction(known: Evidence) -> Observed:
     """)
     yield so(
         "accelerations from the forces on the motor in one model and over the exact motion in the other",
-        large[0] > TIMES * large[1] and small_gap[0] > small_gap[1],
+        (large[0] > TIMES * large[1], small_gap[0] > small_gap[1]),
     )
     yield so("the chaotic motion's mean over 220 drive periods", _between(large[1], CHAOTIC_ACCELERATION))
 

@@ -47,7 +47,7 @@ def over_force(known: Evidence) -> Observed:
     )
     yield so(
         "half a second simulated from a stable orbit near the fold",
-        loop.left_below > ON_IT and loop.left_above < AT_REST,
+        (loop.left_below > ON_IT, loop.left_above < AT_REST),
     )
     yield small("kept orbits, simulated, return to their start after a period", loop.miss, RETURNS)
 
@@ -76,7 +76,7 @@ def over_gap(known: Evidence) -> Observed:
         "amplitude over gap, of all orbits that were followed",
         all(_nears(each, without.stable.amplitude, without.unstable.amplitude) for each in loop.over_gap),
     )
-    yield so("gaps of both figures beside the folds", folds[-1] > SMALL_GAP and 100 * folds[0] < LARGER_GAP)
+    yield so("gaps of both figures beside the folds", (folds[-1] > SMALL_GAP, 100 * folds[0] < LARGER_GAP))
 
 
 def _nears(branch: KeptBranch, stable: float, unstable: float) -> bool:

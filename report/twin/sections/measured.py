@@ -47,7 +47,7 @@ def with_play(known: Evidence) -> Observed:
     """)
     yield equal("orders that table 3.2 lists for each record", set(orders), {5})
     yield small("even harmonics of the thesis's model in three settled motions", even, 1e-9)
-    yield so("cells with a second harmonic of more than a micrometre", most > SEEN and len(forces) > 0)
+    yield so("cells with a second harmonic of more than a micrometre", (most > SEEN, len(forces) > 0))
 
 
 @observation("twin-mirror", source="report/numbers/twin/cases.py", title="A pair of mirrored motions.")

@@ -50,7 +50,7 @@ def damping(known: Evidence) -> Observed:
     """)
     yield so(
         "shares of the rows of the map over gap and damping",
-        single.min() < single[stated] < single.max() and chaotic[-1] < chaotic[stated],
+        (single.min() < single[stated] < single.max(), chaotic[-1] < chaotic[stated]),
     )
     yield so(
         "all natural modes of the linear trimmer decay",
@@ -141,7 +141,7 @@ def shown(known: Evidence) -> Observed:
         {1e6 * seventh:.1f} µm. What two-way contact adds to the output are subharmonics and chaos, tied to
         the drive, not an oscillation at {low:.0f} Hz.
     """)
-    yield so("no line of the exact motion lies in the band", low < high and not inside.any())
+    yield so("no line of the exact motion lies in the band", (low < high, not inside.any()))
     yield so("the nearest is far smaller than predicted", seventh < 0.05 * cycle.amplitude * twin.gap)
 
 

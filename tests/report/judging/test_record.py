@@ -56,6 +56,9 @@ def test_what_is_wrong_with_a_record_is_named_with_the_claim(items, told):
         (small("a residual", 1e-3, 1e-6), False),
         (so("a proof", True), True),
         (so("a proof", False), False),
+        (so("two signs", (True, True)), True),
+        (so("two signs", (True, False)), False),
+        (so("two signs", (False, True)), False),
     ],
 )
 def test_second_ways_can_disagree(second, agrees):

@@ -97,7 +97,7 @@ def captions(_: Evidence) -> Record:
     yield assertion(
         "caption of Listing A.6",
         "it is the describing function of viscous-controlled backlash",
-        GAMMA in LISTING.free_symbols and FORCE not in LISTING.free_symbols,
+        (GAMMA in LISTING.free_symbols, FORCE not in LISTING.free_symbols),
         f"it depends on {names}, so on a force of friction, and on no $M/D$",
         method="read in the listing: the names in its formula",
     )

@@ -66,7 +66,7 @@ def grid(known: Evidence) -> Record:
         method="arithmetic on the grid of line 9",
         second=so(
             "the two amplitudes by the rounded coefficients of lines 18 to 20",
-            begins < listed.unstable.amplitude * LARGE_GAP and listed.stable.amplitude * LARGE_GAP < GRID_END,
+            (begins < listed.unstable.amplitude * LARGE_GAP, listed.stable.amplitude * LARGE_GAP < GRID_END),
         ),
     )
     smallest = PLOT_OFFSET / (unstable - 0.5)

@@ -74,7 +74,7 @@ def characteristic(_: Evidence) -> Record:
     yield assertion(
         "path EBCD",
         "the path is closed",
-        not any(WAVEFORM.jumps()) and sympy.simplify(swept + 4 * b * (A - b)) == 0,
+        (not any(WAVEFORM.jumps()), sympy.simplify(swept + 4 * b * (A - b)) == 0),
         r"each piece begins where the one before it ends; the area within is $2b \cdot 2(A - b)$",
         method="values at the ends of the pieces",
         certainty=Certainty.PROVEN,
@@ -230,7 +230,7 @@ def frequency_independent(_: Evidence) -> Record:
     yield assertion(
         "",
         "the describing function does not depend on frequency",
-        omega not in free and free == {A, b},
+        (omega not in free, free == {A, b}),
         "contact angle and output depend on the phase alone, so amplitude and gap are all that is left",
         method="symbols of the derived coefficients",
         second=so(means, change < nearly_without_inertia * fast),

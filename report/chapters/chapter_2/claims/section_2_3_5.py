@@ -75,7 +75,7 @@ def friction_as_relay(_: Evidence) -> Record:
     yield assertion(
         "",
         "friction is a relay that switches where the velocity changes its sign",
-        switching == zeros_in_turn(COSINE, THETA) and levels == {FORCE, -FORCE},
+        (switching == zeros_in_turn(COSINE, THETA), levels == {FORCE, -FORCE}),
         rf"""
         under $A\sin\theta$ the force is $\pm F_c$ and switches where the velocity is zero, at $\theta =
         {angles}$; in a period it takes the work ${sympy.latex(work)}$

@@ -158,7 +158,7 @@ def units(_: Evidence) -> Record:
         method="dimension check of both terms",
         second=so(
             "seconds changed to milliseconds, which leaves the first term and alters the second",
-            altered and backlash.subs(in_milliseconds) == backlash,
+            (altered, backlash.subs(in_milliseconds) == backlash),
         ),
     )
     stiffness = written(dimension_of(4 * COULOMB / (sympy.pi * A), UNITS))

@@ -147,7 +147,7 @@ def enlarged_spectrum(_: Evidence) -> Record:
     yield assertion(
         "range of frequencies",
         "200 to 1000 Hz shows every tabulated harmonic but the first",
-        low >= 200 and high <= 1000,
+        (low >= 200, high <= 1000),
         f"they lie between {low:.3f} and {high:.3f} Hz",
         method="read in table 3.2",
     )
@@ -201,11 +201,13 @@ def largest_gap(known: Evidence) -> Record:
     yield following_the_drive(known)
     thirds, fifths = (driven.micrometres(driven.runs_with(known, LARGER_GAP), order) for order in (3, 5))
     found = f"the third harmonic has {driven.listed(thirds)} µm, the fifth {driven.listed(fifths)}"
-    fall = bool(np.all(np.diff(thirds) < 0) and np.all(np.diff(fifths) < 0))
     yield assertion(
         r"additional oscillations, drawn for $b$ = $200\times10^{-5}$ m",
         "friction makes them smaller and leaves their frequencies",
-        fall and driven.has_odd_harmonics_only(known),
+        (
+            *(bool(np.all(np.diff(each) < 0)) for each in (thirds, fifths)),
+            driven.has_odd_harmonics_only(known),
+        ),
         f"{found} µm for 0.25, 0.50 and 0.75 N, at multiples of the drive's frequency",
         method=driven.BY_LISTING,
         second=driven.confirm_play(known, LARGER_GAP),
@@ -266,7 +268,7 @@ def released_loop(known: Evidence) -> Record:
     yield assertion(
         "peak near 350 Hz, released inside of the play",
         "friction suppresses it, and the larger gap needs more",
-        small < large and lines[EXPERIMENT_GAP, most] < lines[EXPERIMENT_GAP, least],
+        (small < large, lines[EXPERIMENT_GAP, most] < lines[EXPERIMENT_GAP, least]),
         f"from {least} to {most} N it falls to {left}, released from {INSIDE} gaps",
         method=driven.BY_LISTING,
         second=close(scaling, lines[LARGEST_GAP, most], lines[EXPERIMENT_GAP, least]),

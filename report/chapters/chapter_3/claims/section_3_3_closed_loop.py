@@ -96,7 +96,7 @@ def suppression(known: Evidence) -> Record:
     yield assertion(
         "existence",
         "enough friction suppresses it",
-        before.goes_on and not last.goes_on,
+        (before.goes_on, not last.goes_on),
         f"with {before.force} N it lasts, with {last.force} N the motion comes to rest",
         method=RISING,
         second=so(merge, before.force < merger < last.force),

@@ -125,7 +125,7 @@ def peak_550(known: Evidence) -> Record:
     yield assertion(
         "five times the drive",
         "549.999 Hz is the fifth harmonic of the drive",
-        near and driven.has_odd_harmonics_only(known),
+        (near, driven.has_odd_harmonics_only(known)),
         f"{five} Hz, whose nearest bin of 1 Hz is 550 Hz; the model holds odd harmonics and nothing else",
         method=driven.METHOD,
         second=driven.confirm_odd(known),

@@ -48,7 +48,7 @@ def second_implementation(known: Evidence) -> Record:
     yield assertion(
         "the outer intersection",
         "the library finds its amplitude and frequency by itself",
-        error < 0.01 and abs(omega / stable.omega - 1) < 0.001,
+        (error < 0.01, abs(omega / stable.omega - 1) < 0.001),
         f"""
         it gives {1e3 * first:.3f} mm at {omega / TURN:.1f} Hz; right for its coefficients is
         {1e3 * LIBRARY_GAP * stable.amplitude:.3f} mm at {stable.frequency:.1f} Hz
@@ -132,11 +132,11 @@ def larger_gap(known: Evidence) -> Record:
     size, low, high = 1e6 * LARGE_GAP * stable.amplitude, inner.frequency, outer.frequency
     second = equal("the coefficients of Listing A.9", len(rounded), len(found))
     yield digits("a: intersections", "2", len(found), second=second)
-    as_exact = stable.stable and not unstable.stable
+    as_exact = (stable.stable, not unstable.stable)
     yield assertion(
         "a: stability",
         "the outer one is stable, the inner one unstable",
-        outer.stable and not inner.stable,
+        (outer.stable, not inner.stable),
         f"{small:.2f} µm at {low:.2f} Hz is unstable, {large:.1f} µm at {high:.2f} Hz stable",
         method=LOEB,
         second=so("the Floquet multipliers of the exact orbits", as_exact),
@@ -222,7 +222,7 @@ def viscous(known: Evidence) -> Record:
         [complex(-1 / load.describing_function(1 / ratio, 1.0)) for load in loads] for ratio in (1e-3, 2.0)
     )
     runs = zip(starts, ends, strict=True)
-    to_the_right = all(abs(start + 1) < 0.01 and end.real > start.real for start, end in runs)
+    to_the_right = all(abs(start + 1) < 0.01 < (end - start).real for start, end in runs)
     sampled = -1 / sampled_gain(loads[-1], 0.5, 1.0)
     yield assertion(
         r"with growing $\beta = b/A$",

@@ -34,7 +34,7 @@ def three_gaps(known: Evidence) -> Record:
     yield assertion(
         r"for $2\times10^{-8}$ and $3\times10^{-8}$ m",
         "a very small oscillation goes on, and a larger one",
-        strong[1].amplitude < strong[2].amplitude and min(sizes) > 1,
+        (strong[1].amplitude < strong[2].amplitude, min(sizes) > 1),
         f"after {power_of(strong[0].impulse)} m s it is {amplitudes}, {sizes[0]:.3f} gaps each",
         method="exact simulation of the three gaps with one impulse",
         second=close("the exact orbit, by shooting", exact, sizes[0], 1e-4),

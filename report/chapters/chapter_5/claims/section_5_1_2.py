@@ -58,7 +58,7 @@ def nyquist(known: Evidence) -> Record:
         method="counterexample",
         second=so(
             means,
-            control.nyquist_response(unstable).count == 0 and linear_trimmer.impulse_response_grows(unstable),
+            (control.nyquist_response(unstable).count == 0, linear_trimmer.impulse_response_grows(unstable)),
         ),
         certainty=Certainty.PROVEN,
     )

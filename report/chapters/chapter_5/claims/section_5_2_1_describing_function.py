@@ -96,7 +96,7 @@ def locus_directions(_: Evidence) -> Record:
     yield assertion(
         "with growing gap at fixed amplitude",
         r"$-1/N$ tends to $(-\infty, -\infty j)$",
-        nearer.real < near.real < 0 and nearer.imag < near.imag < 0,
+        (nearer.real < near.real < 0, nearer.imag < near.imag < 0),
         f"""
         it runs from {near.real:.0f} {near.imag:+.0f} j to {nearer.real:.0f} {nearer.imag:+.0f} j as the gap
         comes from 1 % to 0.01 % below twice the amplitude

@@ -168,7 +168,7 @@ def larger_gap(known: Evidence) -> Record:
         outside > inner.amplitude > inside,
         f"started 0.1 % outside it ends at {outside:.4f} gaps; started 0.1 % inside it dies out",
         method="exact simulation of both",
-        second=so(means, len(outward) == 1 and outward[0].imag == 0 and outward[0].real > 1),
+        second=so(means, (len(outward) == 1, outward[0].imag == 0, outward[0].real > 1)),
     )
     yield text(r"""
         Ten times the gap gives ten times the motion at the same frequency, so this simulation repeats [the

@@ -171,7 +171,7 @@ def stable(known: Evidence) -> Record:
     yield assertion(
         "",
         "the outer intersection is a stable limit cycle",
-        bool(outer.stable) and outer.omega > inner.omega,
+        (bool(outer.stable), outer.omega > inner.omega),
         f"Loeb's criterion at {outer.frequency:.2f} Hz",
         method=LOEB,
         second=by_floquet([known.orbits.inertia.stable], stable=True),

@@ -84,7 +84,7 @@ def inner(known: Evidence) -> Record:
     yield assertion(
         "",
         "all limit cycles on the inner part of the locus are unstable",
-        bool(unstable) and not any(cycle.stable for cycle in unstable),
+        (bool(unstable), not any(cycle.stable for cycle in unstable)),
         f"{len(unstable)} of them over {loads} values of $M/D$, none stable by Loeb's criterion",
         method=ALL_LOADS,
         second=by_floquet(orbits, stable=False),
@@ -103,11 +103,10 @@ def only_between(known: Evidence) -> Record:
     stable = [cycle for each in cycles.viscous for cycle in each if cycle.stable]
     loads = [ViscousBacklash(1.0, time_constant) for time_constant in TIME_CONSTANTS]
     least, most = (pick(cycle.frequency for cycle in stable) for pick in (min, max))
-    between = low.frequency - 1e-3 <= least and most <= high.frequency + 1e-3
     yield assertion(
         "",
         "stable limit cycles lie between the frequencies of the two limits",
-        between and len(stable) == len(TIME_CONSTANTS),
+        (low.frequency - 1e-3 <= least < most <= high.frequency + 1e-3, len(stable) == len(TIME_CONSTANTS)),
         f"one for each $M/D$, with a frequency that rises from {least:.2f} to {most:.2f} Hz",
         method=ALL_LOADS,
         second=by_waveform(system, list(zip(loads, stable, strict=True))),

@@ -114,7 +114,7 @@ def amplitude(known: Evidence) -> Record:
     yield assertion(
         "by Listing A.6",
         "the amplitude changes much, the frequency little",
-        growth > 10 and abs(shift) < 0.01,
+        (growth > 10, abs(shift) < 0.01),
         f"""
         from {1e6 * without:.1f} µm without friction to {1e3 * listing.amplitude:.1f} mm at {FORCE} N,
         {growth:.0f} times; the frequency rises by {100 * shift:.2f} %

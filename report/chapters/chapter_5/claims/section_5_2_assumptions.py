@@ -165,7 +165,8 @@ def _odd() -> Record:
 def _repeats_with_other_sign(wave: Waveform) -> bool:
     half = len(wave.segments) // 2
     return all(
-        sympy.simplify(second.start - first.start - sympy.pi) == 0
-        and sympy.simplify(second.value.subs(THETA, THETA + sympy.pi) + first.value) == 0
+        sympy.simplify(second.start - first.start)
+        == sympy.pi
+        == sympy.pi + sympy.simplify(second.value.subs(THETA, THETA + sympy.pi) + first.value)
         for first, second in zip(wave.segments[:half], wave.segments[half:], strict=True)
     )

@@ -104,7 +104,7 @@ def higher_terms(known: Evidence) -> Record:
     yield assertion(
         "higher terms that come back",
         "even very small ones make a predicted limit cycle inaccurate",
-        leak > 0 and error > EXACT,
+        (leak > 0, error > EXACT),
         f"""
         at the stable limit cycle of friction-controlled backlash the third comes back with {100 * leak:.2f} %
         of the fundamental, and the predicted amplitude is off by {100 * error:.2f} %

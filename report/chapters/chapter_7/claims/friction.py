@@ -37,7 +37,7 @@ def coulomb_friction(known: Evidence) -> Record:
     *_, before, last = runs
     lasting = f"which lasts with {before.force} N and not with {last.force}"
     force, with_both = (EXPERIMENT_GAP * each.merger.force_per_gap for each in (branch, both))
-    between = before.goes_on and not last.goes_on and before.force < with_both < last.force
+    between = (before.goes_on, not last.goes_on, before.force < with_both < last.force)
     share = merger.force_per_gap / known.numbers.parameters.k2
     yield assertion(
         "existence",

@@ -57,7 +57,7 @@ def play_and_stability(known: Evidence) -> Record:
     yield assertion(
         "stability, read as that of rest",
         "play does not alter it: a small disturbance dies out",
-        slowest < 0 and decay < 0,
+        (slowest < 0, decay < 0),
         rf"within its play the pin does not act, and every motion decays as $e^{{{decay:.1f}\,t}}$ or faster",
         method="eigenvalues of the trimmer",
         second=close("the roots of the transfer function's denominator", roots, decay, 1e-6),
@@ -77,7 +77,7 @@ def play_and_stability(known: Evidence) -> Record:
         certainty=Certainty.READING,
     )
     outward = [each for each in unstable.nontrivial_multipliers if abs(each) > 1]
-    to_either_side = len(outward) == 1 and np.isreal(outward[0]) and outward[0].real > 1
+    to_either_side = (len(outward) == 1, bool(np.isreal(outward[0])), outward[0].real > 1)
     one_multiplier = "the one multiplier outside of the unit circle, which is real and positive"
     yield assertion(
         "what starts at the unstable limit cycle",
