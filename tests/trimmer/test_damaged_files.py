@@ -132,6 +132,29 @@ def test_damaged_samples_are_gone_on_with_or_told(tmp_path: Path, sample_lines: 
     assert main([*SAMPLE, "--output", str(path), "--resume", "--json", "--quiet"]) in (0, 2)
 
 
+@pytest.mark.parametrize(
+    ("changes", "reason"),
+    [
+        ({"number": 3}, "number is 3, and there are 3 samples, from 0 on"),
+        ({"measures": [1.0]}, "measures has 1 entries, not "),
+        ({"kind": "periodic", "period_count": 0}, "period_count is 0, which does not fit kind"),
+        ({"kind": None, "period_count": 1}, "period_count is 1, which does not fit kind"),
+        ({"kind": None, "period_count": None}, ", where the motion failed"),
+        ({"kind": "periodic", "period_count": 2}, "the period is inf, which is not period_count"),
+        ({"measures": ["endless"]}, "a measure is 'endless', and the only word there is infinite"),
+        ({"measures": [-1.0]}, "a measure is -1, which is no size of it"),
+    ],
+)
+def test_a_sample_that_none_can_be(tmp_path: Path, sample_lines: list[str], capsys, changes, reason) -> None:
+    kept = json.loads(sample_lines[1])
+    measures = changes.get("measures", [1.0])
+    whole = measures if reason.startswith("measures has") else [*measures, *kept["measures"][1:]]
+    path = tmp_path / "samples.jsonl"
+    path.write_text(f"{sample_lines[0]}\n{json.dumps({**kept, **changes, 'measures': whole})}\n")
+    assert main([*SAMPLE, "--output", str(path), "--resume", "--quiet"]) == 2
+    assert reason in capsys.readouterr().err
+
+
 CELL = '{"number": 0, "motions": []}'
 
 
@@ -140,4 +163,42 @@ def test_a_map_with_a_line_that_is_no_cell(tmp_path: Path, map_lines: list[str],
     path = tmp_path / "map.jsonl"
     path.write_text(f"{map_lines[0]}\n{line}\n")
     with pytest.raises(TrimmerError, match=r"map\.jsonl, line 2: is no cell of a map \(.*take the line out"):
+        motion_map(impact_oscillator(), NUMBERS, file=path, resume=True, **SERIAL)
+
+
+@pytest.mark.parametrize(
+    ("changes", "reason"),
+    [
+        ({"period_count": -1}, "period_count, periods or starts are too small"),
+        ({"periods": -1}, "period_count, periods or starts are too small"),
+        ({"starts": 0}, "period_count, periods or starts are too small"),
+        ({"failure": "a\nb"}, "failure is no text on one line"),
+        ({"measures": None}, "measures is null, and there is no failure"),
+        ({"period_count": 0}, "period_count is 0, which does not fit kind"),
+        ({"kind": "chaotic"}, "period_count is 1, which does not fit kind"),
+        ({"holding": [0]}, "holding is of a motion at rest"),
+        ({"states": []}, "states are 0, which does not fit"),
+        ({"states": [[0.0, 0.0]] * 2}, "states are 2, which does not fit"),
+        ({"states": [[0.0]]}, "states are not of as many numbers as the motion has states"),
+        ({"states": [[0.0, -1e200]]}, "hold -1e\\+200, which no motion reaches"),
+        ({"lyapunov": 1e200}, "hold 1e\\+200, which no motion reaches"),
+        ({"largest_multiplier": -0.5}, "largest_multiplier is -0.5, which is no size"),
+        ({"peak_to_peak": {}}, "measures.peak_to_peak is not of the parts"),
+        ({"rms_acceleration": {}}, "measures.rms_acceleration is not of the parts"),
+        ({"wear_power": {"a": 1.0}}, "measures.wear_power is not of the parts"),
+        ({"peak_to_peak": {"x": -1.0}}, "measures.peak_to_peak.x is -1, which is no size"),
+        ({"impacts": -1.0}, "measures.impacts is -1, which is no size"),
+        ({"wear_power": {"a": "b"}}, "wear_power.* is 'b'"),
+        ({"periods": 10**20}, "periods.*whole number"),
+        ({"events": True}, "events.*a number"),
+    ],
+)
+def test_a_motion_that_none_can_be(tmp_path: Path, map_lines: list[str], changes, reason: str) -> None:
+    first = json.loads(map_lines[1])
+    motion = first["motions"][0]
+    for name, value in changes.items():
+        (motion if name in motion else motion["measures"])[name] = value
+    path = tmp_path / "map.jsonl"
+    path.write_text(f"{map_lines[0]}\n{json.dumps(first)}\n")
+    with pytest.raises(TrimmerError, match=reason):
         motion_map(impact_oscillator(), NUMBERS, file=path, resume=True, **SERIAL)

@@ -113,6 +113,8 @@ REFUSED: dict[str, tuple[Callable[[], object], str]] = {
         "harmonic_balance.data, element",
     ),
     "zero": (lambda: MeasuredResponse([0, 1, 2, 3], [1, 1, 1, 1]), "leave zero out"),
+    "table": (lambda: MeasuredResponse(np.ones((4, 2)), np.ones((4, 2))), "as many responses as frequencies"),
+    "fewer": (lambda: MeasuredResponse([1, 2, 3, 4], [1, 1, 1]), "as many responses as frequencies"),
     "order": (lambda: MeasuredResponse([1, 3, 2, 4], [1, 1, 1, 1]), "positive and rising"),
     "few": (lambda: MeasuredResponse([1, 2, 3], [1, 1, 1]), "4 or more, not shapes"),
     "vanishing": (lambda: MeasuredResponse([1, 2, 3, 4], [1, 1, 0, 1]), "the response at 3 rad/s is 0"),

@@ -157,7 +157,10 @@ def test_tables_that_are_no_waveform(tmp_path: Path, text: str | None, reason: s
         ({"orders": 3}, "orders", "only a waveform has orders"),
         ({"waveform": SAMPLES, "orders": 17}, "orders", "33 samples have the orders 1 to 16"),
         ({"waveform": (1.0, float("nan"), 2.0)}, "waveform", "all samples must be finite"),
+        ({"waveform": SAMPLES, "orders": 2.0}, "orders", "33 samples have the orders 1 to 16"),
+        ({"waveform": SAMPLES, "orders": True}, "orders", "33 samples have the orders 1 to 16"),
         ({"waveform": ("a",) * 5}, "waveform", "name a table of phase and value"),
+        ({"waveform": 5}, "waveform", "name a table of phase and value"),
     ],
 )
 def test_waves_that_are_none(pin: dict[str, object], place: str, reason: str) -> None:

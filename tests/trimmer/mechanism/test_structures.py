@@ -189,10 +189,27 @@ def test_ends_that_are_none_are_refused(folder, modal, end, more, sentence) -> N
     assert sentence in refusal(folder, keys, end, more)
 
 
-def test_a_single_entry_that_is_no_number_is_refused() -> None:
-    stiffness = [[2.0, np.nan], [np.nan, 2.0]]
-    structure = Structure(mass=np.eye(2), stiffness=stiffness, coordinates=("u", "v"))
-    with pytest.raises(MechanismError, match=r"stiffness.*must be finite"):
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"stiffness": [[2.0, np.nan], [np.nan, 2.0]]}, r"stiffness.*must be finite"),
+        ({"mass": [["a", "b"], ["b", "c"]]}, r"mass.*must be a matrix of numbers"),
+        ({"mass": np.ones(2)}, r"mass.*must be square; its shape is 2"),
+        ({"mass": np.ones((0, 0))}, r"mass.*must be square; its shape is 0 x 0"),
+        ({"rotations": "u"}, r"rotations.*name those coordinates that are angles"),
+        ({"modes": 3}, r"modes.*give a trimmer.mechanism.ModalModel"),
+        ({"modes": ModalModel([1.0], [0.1], [1.0])}, r"modes.*with a mapping of shapes"),
+        ({"modes": ModalModel([1.0], [0.1], {" tip": [1.0]})}, r"modes.*name each point, by text without"),
+        ({"modes": ModalModel([1.0], [0.1], {"tip": ["a"]})}, r"'tip' must hold finite numbers"),
+        ({"modes": ModalModel([1.0], [0.1], {"tip": [[1.0]]})}, r"'tip' must hold finite numbers"),
+        ({"modes": ModalModel([1.0], [0.1], {"tip": [np.inf]})}, r"'tip' must hold finite numbers"),
+        ({"modes": ModalModel([1.0], [0.1], {"tip": [1.0, 2.0]})}, r"'tip' holds 2 numbers for 1 modes"),
+    ],
+)
+def test_arrays_that_are_no_structure_are_refused(given: dict, message: str) -> None:
+    matrices = {"mass": np.eye(2), "stiffness": np.eye(2), "coordinates": ("u", "v")}
+    structure = Structure(**(given if "modes" in given else {**matrices, **given}))
+    with pytest.raises(MechanismError, match=message):
         Mechanism(structures={"housing": structure})
 
 
