@@ -112,8 +112,8 @@ def hunting_figure(each: DesignMap, number: int) -> Figure:
         f"hunting-{number}",
         f"Rest and hunting over the {first} and the {second}",
         f"Whether the machine comes to rest after its step, or hunts: {columns} × {rows} cells, each one "
-        "motion from the start. It hunts evenly where two stretches of it, one after the other, swing by "
-        "as much. The circle is the file’s own point. Edges are known to a cell’s width.",
+        "motion from the start. It hunts evenly where it comes to a motion that repeats. "
+        "The circle is the file’s own point. Edges are known to a cell’s width.",
         f"A map of areas. In {share} of the cells it comes to rest.",
         partial(hunting_map, each),
     )

@@ -215,7 +215,7 @@ class Study:
     def ranges(self) -> RangeStudy | None:
         """Return how the verdict depends on unknown numbers."""
         file = self.file
-        if not file.ranges or not file.is_tried:
+        if not file.ranges:
             return None
         settings, stepped = self.settings, file.stepped
         make = partial(study_ranges, file.mechanism, file.ranges, file.targets, settings, stepped=stepped)
@@ -225,7 +225,7 @@ class Study:
     def around(self, motions: Motions) -> Around | None:
         """Return whether the targets hold at neighbouring speeds, and as numbers scatter."""
         file, settings = self.file, self.settings
-        if not file.targets or not file.is_tried or motions.first is None:
+        if not file.targets or motions.first is None:
             return None
         conditions = self._conditions
 
@@ -238,7 +238,7 @@ class Study:
     def remedies(self, verdict: DesignVerdict, of: Sensitivities | None) -> Remedies | None:
         """Return what would meet the targets."""
         file, settings = self.file, self.settings
-        if not verdict.missed or not file.is_tried:
+        if not verdict.missed:
             return None
         conditions = self._conditions
 
@@ -293,8 +293,6 @@ class Study:
 
         Without them they are over gap and speed, and gap and friction; without a gap over speed and friction.
         """
-        if not self.file.is_tried:
-            return ()
         by_role = tuple({each.role: each for each in varied}.values())
         wanted = pairs or {(by_role[0], each): () for each in by_role[1:]}
         shares = np.linspace(SPENT[Stage.NEIGHBOURS], SPENT[Stage.MAP], len(wanted) + 1)[1:].tolist()

@@ -125,6 +125,15 @@ def _speed(mechanism: Mechanism) -> Iterator[VariedNumber]:
     if mechanism.frequency is not None:
         low, high = (share * mechanism.frequency for share in SPEEDS)
         yield VariedNumber(NumberRole.SPEED, "frequency", "", "Hz", mechanism.frequency, low, high)
+        return
+    for name, pin in mechanism.pins.items():
+        if pin.velocity:
+            place = place_text(("pins", name, "velocity"))
+            low, high = sorted((0.0, 2 * pin.velocity))
+            yield VariedNumber(
+                NumberRole.SPEED, place, name, mechanism.places[place], pin.velocity, low, high
+            )
+            return
 
 
 def _friction(mechanism: Mechanism, motion: FoundMotion | None) -> Iterator[VariedNumber]:

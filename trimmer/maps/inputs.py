@@ -136,9 +136,8 @@ def checked_inputs(mechanism: Subject, values: Mapping[str, ArrayLike], settings
     require_instance("values", values, Mapping, "a mapping of dotted places to values")
     for place in values:
         require_instance("place", place, str, "a dotted place such as plays.bridge.gap")
-    if mechanism.frequency is None and not (isinstance(mechanism, Mechanism) and mechanism.controllers):
-        what = "mechanism has no frequency" if isinstance(mechanism, Mechanism) else "loop has no drive"
-        raise MapError(f"the {what}, and maps are of driven motions: give it one")
+    if mechanism.frequency is None and not isinstance(mechanism, Mechanism):
+        raise MapError("the loop has no drive, and maps are of driven loops: give it one")
     if not 1 <= len(values) <= 2:
         raise MapError(f"a map is over one place or two, not {len(values)}")
     places = tuple(place_text(parse_place(place)) for place in values)

@@ -66,6 +66,11 @@ class Course:
         zeros = np.zeros_like(self.end.zeros)
         return replace(self.end, state=state, statuses=statuses, phase=0.0, periods=0, zeros=zeros)
 
+    def since(self, time: float) -> Course:
+        """Return it without what was over before a time, s; times count as before."""
+        row = max(int(np.searchsorted(self.log.start, time, side="right")) - 1, 0)
+        return replace(self, log=Log._make(each[row:] for each in self.log))
+
     def turned(self, time: float, phase: float) -> Course:
         """Return a motion that repeats as one that begins at a later instant of it, s, at a phase, s.
 

@@ -84,15 +84,14 @@ def sample_inputs(
     """Draw samples, and check which of them are possible.
 
     Raises:
-        UncertaintyError: if nothing drives the subject, too many samples are impossible, or indices of
+        UncertaintyError: if nothing drives a loop, too many samples are impossible, or indices of
             dependent numbers are wanted.
         MechanismError: if there is no number at a place.
     """
     settings, values = drawn_values(uncertainty, settings, indices=indices)
     require_subject(subject)
-    if subject.frequency is None and not (isinstance(subject, Mechanism) and subject.controllers):
-        what = "mechanism has no frequency" if isinstance(subject, Mechanism) else "loop has no drive"
-        raise UncertaintyError(f"the {what}, and samples are of driven motions: give it one")
+    if subject.frequency is None and not isinstance(subject, Mechanism):
+        raise UncertaintyError("the loop has no drive, and samples are of driven loops: give it one")
     for place in uncertainty.places:
         subject.value(place)
     reasons = [_reason_against(subject, uncertainty.places, tuple(row)) for row in values.tolist()]

@@ -120,8 +120,6 @@ def _missed(design: Design) -> Markdown:
     rest = "; " + _advice(design) if design.remedies is not None else ""
     if design.ranges is not None:
         rest = ", at every point that was tried over what nobody knows"
-    elif not design.file.is_tried:
-        rest = "; changes were not sought, since neither a frequency nor a controller moves it"
     return markdown("**{}**: {}{}.", many, told, rest)
 
 

@@ -13,6 +13,7 @@ from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
 from trimmer import Mechanism, MotionKind, Pin, Play, SerialRunner, Stop, TrimmerError, motion_map, respond
 from trimmer.contact.flow import MechanismFlow
 from trimmer.errors import MapError, MechanismError
+from trimmer.examples import example_text
 from trimmer.maps.cells import CellWork, start_scales
 from trimmer.maps.inputs import Settings, checked_inputs
 from trimmer.maps.motion_map import MapInterruptedError
@@ -149,8 +150,6 @@ def test_what_is_not_there_is_not_asked_for() -> None:
     for name in ("resume", "overwrite"):
         with pytest.raises(MapError, match=f"^{name} is of a file"):
             motion_map(TWIN, PLACES, **{name: True})
-    with pytest.raises(MapError, match="no frequency"):
-        motion_map(replace(linear_oscillator(), frequency=None, forces={}), {"bodies.mass.mass": [1.0]})
     found = motion_map(replace(linear_oscillator(), outputs={}), {"frequency": [1.0]}, runner=SERIAL)
     with pytest.raises(MapError, match="no output"):
         _ = found.stroke
@@ -318,3 +317,17 @@ def test_rests_of_friction_are_one_unless_other_parts_bear() -> None:
     assert [motion.kind for motion in cell.motions] == [MotionKind.REST] * 2
     assert sorted(motion.states[0][0] > 0.01 for motion in cell.motions) == [False, True]
     assert sum(motion.starts for motion in cell.motions) == 12
+
+
+def test_a_block_on_a_belt_needs_no_drive() -> None:
+    """It sticks to a slow belt until the spring tears it off at 1 N; above 0.5 m/s it never sticks."""
+    slow, fast = [0.1, 0.2, 0.4], [0.51, 1.0]
+    cells = motion_map(
+        Mechanism.from_toml_text(example_text("block-on-belt")),
+        {"pins.belt.velocity": [*slow, *fast]},
+        runner=SERIAL,
+    ).cells
+    swings = [cell.motions[0].measures.peak_to_peak["block"] for cell in cells]
+    assert [cell.motions[0].kind for cell in cells] == [MotionKind.PERIODIC] * 5
+    assert swings == pytest.approx([*(2 * np.hypot(0.5, slow)), 1.0, 1.0], rel=1e-12)
+    assert [cell.motions[0].neutral for cell in cells] == [False] * 3 + [True] * 2

@@ -14,6 +14,7 @@ from tests.trimmer.servos import STICTION
 from trimmer import Mechanism, MotionKind, SerialRunner, motion_map, respond, simulate
 from trimmer.design import Measure, MeasureOfPart
 from trimmer.design.trials.trial import TrialWork
+from trimmer.examples import example_text
 from trimmer.response.flows import flow_of
 from trimmer.response.results.response import SettledMotion
 from trimmer.response.results.response_json import motion_json, response_json
@@ -173,6 +174,19 @@ def test_a_trial_of_a_design_measures_rest_and_not_chaos() -> None:
     assert (rests.kind, hunts.kind) == (MotionKind.REST, None)
     assert rests.value(stroke.measure, "angle") < 1e-12
     assert np.isnan(hunts.value(stroke.measure, "angle"))
+
+
+@pytest.mark.parametrize(
+    ("gap", "gain", "kind"),
+    [(4 / 3, 40 / 3, MotionKind.REST), (2.0, 40.0, MotionKind.PERIODIC), (1 / 3, 40.0, MotionKind.CHAOTIC)],
+)
+def test_a_trial_of_an_axis_tells_what_respond_does(gap: float, gain: float, kind: MotionKind) -> None:
+    """Sliding to rest ever slower took a gigabyte, and was told to hunt; chaos was told to hunt evenly."""
+    servo = Mechanism.from_toml_text(example_text("two-mass-servo"))
+    places, values = ("plays.gear.gap", KP), (gap * servo.plays["gear"].gap, gain)
+    (trial,) = map(TrialWork(servo, places, (MeasureOfPart(Measure.HUNTING, "axis"),), 0), (values,))
+    machine = servo.with_value(places[0], values[0]).with_value(KP, gain)
+    assert trial.kind is kind is respond(machine).kind
 
 
 def test_a_map_tells_the_chaos_of_a_cell_as_respond_does() -> None:

@@ -1,22 +1,21 @@
-"""How controllers follow their steps, as a designer asks: exactly for the file, cheaply for trials."""
+"""How controllers follow their steps, as a designer asks."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 
-from trimmer.contact.flow import MechanismFlow
-from trimmer.contact.readouts.control_readouts import control_signal, largest_demand
+from trimmer.contact.readouts.control_readouts import control_signal
 from trimmer.design.analysis.motion_signals import MotionSignals, signals_of
 from trimmer.design.specification.targets import Measure, followers
 from trimmer.errors import UnsupportedMotionError
-from trimmer.hybrid.stretch import Ending
-from trimmer.mechanism import Mechanism, StepReference
+from trimmer.mechanism import Mechanism
 from trimmer.motion.signals import along
-from trimmer.motion.step_measures import Step, StepMeasures, step_measures
+from trimmer.motion.step_measures import Step, StepMeasures
 from trimmer.response import MotionKind, Response, StepResponse, step_response
-from trimmer.response.step.step_end import StepEnd, followed
+from trimmer.response.by_itself.self_excited import STRETCHES
+from trimmer.response.respond import respond
 
 ROUNDING = 1e-9  # Share of the step below which a final error is rounding, or what is left of the way to rest
 
@@ -101,33 +100,19 @@ def _signals(response: StepResponse) -> MotionSignals:
     )
 
 
-def steps_tried(
-    mechanism: Mechanism, names: Iterable[str]
-) -> tuple[MotionKind, Mapping[str, Callable[[Measure], float]]]:
-    """Return whether all rests, hunts evenly, or neither, and of each controller what gives its measures.
+def steps_tried(mechanism: Mechanism) -> tuple[MotionKind, Mapping[str, Callable[[Measure], float]]]:
+    """Return what a mechanism settles to, and of each controller that follows a step what gives its measures.
 
-    It is periodic here if two stretches of it, one after the other, swing by as much.
+    Raises:
+        UnsupportedMotionError: if the motion through a step cannot be followed.
     """
-    flow, ends = MechanismFlow(mechanism), list[StepEnd]()
+    settles_to = respond(mechanism, most_periods=sum(STRETCHES))
     found: dict[str, Callable[[Measure], float]] = {}
-    for name in names:
-        controller = mechanism.controllers[name]
-        reference = mechanism.references[controller.reference or ""]
-        assert isinstance(reference, StepReference)
-        end = followed(flow, controller.measure, reference.at, reference.step)
-        if end.course.ending is not Ending.REACHED_END:
-            raise UnsupportedMotionError(f"the motion could not be followed: {end.course.ending.value}")
-        step = Step(reference.step, reference.at)
-        measures = step_measures(
-            end.course,
-            flow.outputs[controller.measure].signal,
-            step,
-            settled_mean=end.mean,
-            control=control_signal(flow.modes, name),
-            largest_demand=largest_demand(end.course, name),
-        )
-        found[name] = partial(_value, step, measures, end.amplitude)
-        ends.append(end)
-    rests, even = all(each.rests for each in ends), all(each.settled for each in ends)
-    kind = MotionKind.REST if rests else MotionKind.PERIODIC if even else MotionKind.UNDECIDED
-    return kind, found
+    for name, response in step_responses(mechanism, settles_to).items():
+        if not response.motion.success:
+            raise UnsupportedMotionError(
+                f"the motion could not be followed: {response.motion.course.ending.value}"
+            )
+        hunting = 0.0 if response.hunting is None else response.hunting.amplitude
+        found[name] = partial(_value, response.step, response.measures, hunting)
+    return settles_to.kind, found

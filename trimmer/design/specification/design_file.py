@@ -101,11 +101,6 @@ class DesignFile:
         others = any(each.measure not in OF_STEP for each in self.targets)
         return bool(followers(self.mechanism)) and not (self.switched or others)
 
-    @property
-    def is_tried(self) -> bool:
-        """Whether other numbers can be tried: it is driven or controlled, or switches."""
-        return self.mechanism.frequency is not None or bool(self.mechanism.controllers) or self.switched
-
     def line(self, place: tuple[str, ...]) -> int:
         """Return the line of a place, or of what should hold it; 0 if nothing of it is there."""
         return line_of(place, self.lines)

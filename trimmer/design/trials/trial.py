@@ -139,8 +139,8 @@ class TrialWork:
         return Trial(values, kind, None, every)
 
     def _stepped(self, values: tuple[float, ...], mechanism: Mechanism) -> Trial:
-        """Return how controllers follow their steps; periodic is here what hunts evenly."""
-        kind, found = steps_tried(mechanism, dict.fromkeys(each.part for each in self.asked))
+        """Return how controllers follow their steps."""
+        kind, found = steps_tried(mechanism)
         every = tuple((each, found[each.part](each.measure)) for each in self.asked)
         return Trial(values, kind, None, every)
 

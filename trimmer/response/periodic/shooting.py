@@ -179,8 +179,8 @@ def sizes_of(course: Course) -> Reals:
     """Return the scale of each state over a motion, (n,): 1 for what does not move at all."""
     layout = course.modes.system.layout
     states = np.vstack([course.log.state[:, : layout.state_count], course.end.state])
-    # Without events all may pass by zero at the start of each period.
-    if layout.measured_between or (len(states) == 2 and layout.period):
+    # Without events all may pass by zero where it begins and ends.
+    if layout.measured_between or len(states) == 2:
         times = np.linspace(0.0, course.duration, SAMPLES)
         states = np.vstack([states, course.states(times)[:, : layout.state_count]])
     sizes: Reals = layout.sizes(states, course.duration)

@@ -17,6 +17,7 @@ from trimmer.motion.extremes import extremes, turning_points
 from trimmer.motion.signals import along
 from trimmer.motion.time_scale import time_scale
 from trimmer.response.by_itself.asymptotic import asymptotic_rest
+from trimmer.response.by_itself.dying_away import rest_dying_away
 from trimmer.response.by_itself.slowing_down import slowing_down
 from trimmer.response.periodic.orbit import Orbit
 from trimmer.response.settling.solved import rest_after
@@ -26,6 +27,8 @@ STRETCHES = (5, 20, 80, 320, 1280)  # How long is followed at most, in periods o
 CYCLES = (5, 20, 80)  # The same in periods of a cycle
 MOST_EVENTS = 1500
 """Events, as far as they can be foreseen, up to which a further stretch is followed without a known cycle."""
+MOST_NODES = 2_000_000
+"""Instants between events, likewise: where fast modes stand beside slow ones there are many."""
 ALIKE, AT_LAST = 1e-3, 0.1
 """Share by which two stretches of a motion that hunts evenly may differ in size; at the end of the wait."""
 ON_CYCLE = 1e-3  # Share of its size by which a motion may still miss the cycle that it settles to
@@ -88,12 +91,17 @@ def followed(
                 return StepEnd(flow, course, True, limit, limit, limit, settled=False)
             rests = True if limit is not None else rests
         begin = at + 0.5 * length if cycle is None else course.duration - cycle.period
-        last = length == lengths[-1] or (cycle is None and 4 * len(course.events) > MOST_EVENTS)
+        last = length == lengths[-1] or (cycle is None and _is_much(course))
         end = _end(flow, course, output, begin, wanted, cycle, AT_LAST if last else ALIKE)
         ends.append(end)
         if last or not reached or (end.settled and not rests):
             break
     return replace(ends[0], mean=end.mean) if cycle is not None and not end.settled else end
+
+
+def _is_much(course: Course) -> bool:
+    """Say whether four times as long a motion would be more than is followed."""
+    return 4 * len(course.events) > MOST_EVENTS or 4 * len(course.nodes.times) > MOST_NODES
 
 
 def _at_rest(
@@ -105,9 +113,10 @@ def _at_rest(
     tear out later what sticks.
     """
     late = read_at(flow, course, output, np.linspace(0.5, 1.0, SEEN) * course.duration)
-    if known and float(np.ptp(late)) <= STILL * abs(late).max():
+    fading = rest_dying_away(flow, course)
+    if (known or fading is not None) and float(np.ptp(late)) <= STILL * abs(late).max():
         return float(late[-1]), None
-    ahead = rest_after(flow, course, math.inf)
+    ahead = fading or rest_after(flow, course, math.inf)
     rest = asymptotic_rest(flow, course, unit) if ahead is None else rest_after(flow, course)
     if rest is not None and rest.asymptotic:
         return rest.measures.outputs[output].mean, None
@@ -133,11 +142,12 @@ def _end(
 ) -> StepEnd:
     """Return what an output does from a time on, s, beside a cycle, or by how much it is alike."""
     signal, until = flow.outputs[output].signal, course.duration
-    points = turning_points(course, signal)
-    edges = read_at(flow, course, output, np.array([begin, 0.5 * (begin + until)]))
+    late = course.since(begin)
+    points = turning_points(late, signal)
+    edges = read_at(flow, late, output, np.array([begin, 0.5 * (begin + until)]))
     spans = [points.values[(points.times >= start)] for start in (begin, 0.5 * (begin + until))]
     lowest, highest = (float(f(np.append(spans[0], edges[0]))) for f in (np.min, np.max))
-    mirrored, mean = False, _mean(flow, course, output, begin)
+    mirrored, mean = False, _mean(flow, late, output, begin)
     if cycle is None:
         first = points.values[(points.times >= begin) & (points.times <= 0.5 * (begin + until))]
         sizes = [float(np.ptp(np.append(each, edges[1]))) for each in (first, spans[1])]
