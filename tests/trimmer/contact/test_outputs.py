@@ -28,10 +28,10 @@ def asked(mechanism: Mechanism) -> Mechanism:
     return replace(mechanism, outputs=outputs | {name: Output(kind="force", part=name) for name in forces})
 
 
-MADE = [(made, seed) for made in (random_mechanism, with_curves) for seed in range(1, 9)]
+MADE = [(made, seed) for made in (random_mechanism, with_curves) for seed in range(2, 9, 2)]
 
 
-@pytest.mark.parametrize(("made", "seed"), quick(MADE, 15))
+@pytest.mark.parametrize(("made", "seed"), quick(MADE, 7))
 def test_extremes_and_rms_are_those_of_another_integrator(
     made: Callable[[int], Mechanism], seed: int
 ) -> None:

@@ -84,15 +84,9 @@ def test_a_gear_that_is_carried_on_advances_by_its_ratio() -> None:
     assert response.motion.advance == pytest.approx({"shaft": turn, "gear": -2.5 * turn}, rel=1e-12)
 
 
-@pytest.mark.parametrize("seed", quick((5, 11, 60, 174), 1))
+@pytest.mark.parametrize("seed", quick((11, 60, 174, *range(1, 120, 4)), 0))
 def test_random_levers_against_brute_force(seed: int) -> None:
-    compare(levered(random_mechanism(seed), seed), 2, known=0.5)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(120))
-def test_many_random_levers_against_brute_force(seed: int) -> None:
-    compare(levered(random_mechanism(seed), seed), 3)
+    compare(levered(random_mechanism(seed), seed), 3, known=0.5 * (seed in (11, 60, 174)))
 
 
 @pytest.mark.parametrize("seed", quick(range(40), 3))

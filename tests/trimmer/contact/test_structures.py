@@ -120,7 +120,7 @@ def test_a_large_structure_moves_as_its_bodies_do() -> None:
     )
 
 
-@pytest.mark.parametrize("seed", quick(range(40), 1))
+@pytest.mark.parametrize("seed", quick(range(1, 40, 4), 0))
 def test_random_structures_against_brute_force(seed: int) -> None:
     compare(in_other_coordinates(random_mechanism(seed), seed), 2, known=0.5)
 

@@ -337,6 +337,6 @@ def with_walls(seed: int) -> Mechanism:
     return replace(made, walls=walls, start={})
 
 
-@pytest.mark.parametrize("seed", quick(range(60), 3))
+@pytest.mark.parametrize("seed", quick(range(3, 60, 3), 0))
 def test_random_mechanisms_with_walls(seed):
     compare(with_walls(seed), 2)

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from tests.quick import quick
 from trimmer import FrictionBacklash, InertiaBacklash, TrimmerParameters, ViscousBacklash, simulate
 from trimmer.elements import CoulombFriction
 from trimmer.loops import BodyFriction, Drive, Outcome, TrimmerLoop, energy_balance
@@ -38,9 +37,8 @@ def check(seed: int, duration: float) -> None:
     assert energy_balance(motion).residual < 1e-9
 
 
-@pytest.mark.parametrize("seed", quick(range(60), *range(9)))
-def test_sixty_loops(seed: int) -> None:
-    """Of which the first 9 have each play with each decade of forces once."""
+@pytest.mark.parametrize("seed", range(9))
+def test_each_play_with_each_decade_of_forces(seed: int) -> None:
     check(seed, 0.05)
 
 
@@ -50,7 +48,7 @@ def test_a_pin_whose_friction_lets_go_stays_in_contact() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("chunk", range(30))
-def test_three_hundred_loops(chunk: int) -> None:
-    for seed in range(10 * chunk, 10 * (chunk + 1)):
-        check(1000 + seed, 0.5)
+@pytest.mark.parametrize("chunk", range(1000, 1300, 20))
+def test_random_loops(chunk: int) -> None:
+    for seed in range(chunk, chunk + 10):
+        check(seed, 0.5)

@@ -115,13 +115,12 @@ def test_what_a_friction_does_at_an_instant_is_one_event(phase: float) -> None:
     assert {each.component for each in motion.events if each.time == 0} == {"friction q2", "friction q2-q4"}
 
 
-@pytest.mark.parametrize("seed", quick(range(10), 1))
-def test_three_frictions_in_a_ring(seed: int) -> None:
-    check_laws(some_frictions(seed), 0.1)
+def test_three_frictions_in_a_ring() -> None:
+    check_laws(some_frictions(1), 0.1)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(180))
+@pytest.mark.parametrize("seed", range(0, 180, 3))
 def test_many_frictions_in_rings(seed: int) -> None:
     check_laws(some_frictions(seed), 0.2)
     check_laws(some_frictions(seed, 4, 6), 0.1)
