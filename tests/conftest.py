@@ -43,8 +43,14 @@ providers.is_local_module_file = lambda _: False
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
-SHARING = ("tests/report/figures/", "tests/trimmer/drawing/", "tests/derivations/", "tests/report/rendering/")
-"""Folders whose tests look at the same pictures, derivations or pages, each made once in a process."""
+ON_EVIDENCE = "claims figures future_work judging numbers octave overview robustness test_claims twin"
+SHARING = (
+    [f"tests/report/{each}" for each in ON_EVIDENCE.split()],
+    ["tests/trimmer/drawing/"],
+    ["tests/derivations/", "tests/report/derivation/", "tests/trimmer/test_code_generation.py"],
+    ["tests/report/rendering/", "tests/report/design/test_sliders", "tests/report/design/test_hostile_names"],
+)
+"""Places whose tests look at the same evidence, pictures, derivations or browser, made once in a process."""
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
 POPPLER = ("pdftotext", "pdfinfo", "pdftoppm")
 OCTAVE = ("octave-cli", "octave")
@@ -99,14 +105,16 @@ def pytest_xdist_auto_num_workers() -> int:
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadFileScheduling | None:
-    """Give the tests of a file, or of a folder of SHARING, to one process, as ``--dist loadfile`` does."""
+    """Give the tests of a file, or of a group of SHARING, to one process, as ``--dist loadfile`` does."""
     if config.getvalue("dist") != "loadfile":
         return None
     from xdist.scheduler import LoadFileScheduling
 
     class LoadSharing(LoadFileScheduling):
         def _split_scope(self, nodeid: str) -> str:
-            return next(filter(nodeid.startswith, SHARING), nodeid.partition("::")[0])
+            return next(
+                (each[0] for each in SHARING if nodeid.startswith(tuple(each))), nodeid.partition("::")[0]
+            )
 
     return LoadSharing(config, log)
 
