@@ -49,6 +49,7 @@ SHARING = (
     ["tests/trimmer/drawing/"],
     ["tests/derivations/", "tests/report/derivation/", "tests/trimmer/test_code_generation.py"],
     ["tests/report/rendering/", "tests/report/design/test_sliders", "tests/report/design/test_hostile_names"],
+    ["tests/report/design/"],
 )
 """Places whose tests look at the same evidence, pictures, derivations or browser, made once in a process."""
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome")

@@ -26,18 +26,19 @@ from trimmer.design.varied_places import varied_places
 from trimmer.examples import example_text
 
 
-def told(text: str) -> dict[str, str]:
+def told(text: str, is_drawn: bool = False) -> dict[str, str]:
     file = design_file_of_text(text, "mine.toml")
     study = Study(file, DesignSettings(cells=2), SerialRunner())
     design = study.short()
-    report = DesignReport("Axis", pictures(design), origin_of([file], "2026-01-01"), design, None)
-    assert ("step-1" in report.figures) == ("[references]" in text)
+    figures = pictures(design) if is_drawn else {}
+    report = DesignReport("Axis", figures, origin_of([file], "2026-01-01"), design, None)
+    assert ("step-1" in figures) == ("[references]" in text and is_drawn)
     return {name: re.sub(r"\\(?=[^a-zA-Z])", "", each) for name, each in to_markdown(report).items()}
 
 
 def test_an_axis_that_hunts_is_told_so() -> None:
     """Digits of servo.json, hunting_one_mass_static_friction."""
-    pieces = told(STICTION + "[targets]\nhunting_at_most = 0\nrise_time_at_most = '20 ms'\n")
+    pieces = told(STICTION + "[targets]\nhunting_at_most = 0\nrise_time_at_most = '20 ms'\n", is_drawn=True)
     assert "the hunting of axis is 2.51 mrad, where none is wanted" in pieces["verdict"]
     step = pieces["step"]
     assert "follow a step of 500 mrad at 10 ms in path" in step
@@ -68,7 +69,7 @@ def test_an_axis_that_rests_is_told_so() -> None:
 
 def test_what_samples_alone_drive_is_told_in_samples() -> None:
     held = STICTION.replace('reference = "path"\n', "sample = 0.005\n").split("[references]")[0]
-    pieces = told(held + "[start]\nmotor = [0.5, 0.0]\n")
+    pieces = told(held + "[start]\nmotor = [0.5, 0.0]\n", is_drawn=True)
     assert "does not repeat and was measured over 96 samples" in pieces["verdict"]
     assert re.search(r"it was followed for [0-9]+ samples\.", pieces["motions"])
     assert not any("drive period" in pieces[name] for name in ("verdict", "motions"))

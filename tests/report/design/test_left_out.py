@@ -9,12 +9,13 @@ import pytest
 from report.cache.stage_store import StageStore
 from report.design.building import looked_at, report_on
 from report.design.markdown import to_markdown
+from report.design.origin import origin_of
 from report.design.progress import ProgressLines
 from report.design.report import DesignReport
 from report.design.sentences_around import first_changes
 from trimmer import MechanismError, SerialRunner
 from trimmer.deadline import Deadline
-from trimmer.design import DesignFile, DesignSettings, Stage
+from trimmer.design import Design, DesignFile, DesignSettings, Stage
 from trimmer.design.specification.design_file import design_file_of_text
 from trimmer.examples import example_text, examples
 
@@ -59,6 +60,11 @@ def reported(file: DesignFile, folder: Path) -> tuple[DesignReport, str]:
     return report, "\n".join(to_markdown(report).values())
 
 
+def told(design: Design) -> dict[str, str]:
+    """Return the text of a report without pictures, which take longer than all else."""
+    return dict(to_markdown(DesignReport("Mine", {}, origin_of([design.file], "2026-03-01"), design, None)))
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "left_out"), cases())
 def test_a_report_needs_no_section_that_may_be_left_out(name: str, left_out: str, tmp_path: Path) -> None:
@@ -73,12 +79,11 @@ def test_a_report_needs_no_section_that_may_be_left_out(name: str, left_out: str
 
 
 def test_a_search_that_was_ended_early_says_so_in_its_verdict(tmp_path: Path) -> None:
-    store = StageStore(tmp_path)
     text = example_text("oscillator-stop") + '[targets]\nstroke_at_least = "1 km"\n'
-    design = looked_at(design_file_of_text(text, "open.toml"), TINY, SerialRunner(), store, lambda *_: None)
-    report, ended = report_on(design, store, "2026-03-01"), replace(design, cut=((Stage.REMEDIES, ()),))
-    for each, early in ((design, False), (ended, True)):
-        verdict = to_markdown(replace(report, design=each))["verdict"].replace("\\", "")
+    file, store = design_file_of_text(text, "open.toml"), StageStore(tmp_path)
+    design = looked_at(file, TINY, SerialRunner(), store, lambda *_: None)
+    for each, early in ((design, False), (replace(design, cut=((Stage.REMEDIES, ()),)), True)):
+        verdict = told(each)["verdict"].replace("\\", "")
         assert verdict.count("was found, in the time that was allowed, that meets all") == 2 * early
         assert ("computed, fewer than planned, as the time was over" in verdict) is early
 
@@ -86,9 +91,9 @@ def test_a_search_that_was_ended_early_says_so_in_its_verdict(tmp_path: Path) ->
 def test_what_there_was_no_time_for_is_said_where_it_would_stand(tmp_path: Path) -> None:
     text = example_text("thesis-play").replace("gap = 40e-6", 'gap = "30 um..50 um"')
     file = design_file_of_text(text.replace('"2.8 mm"', '"5 mm"'), "open.toml")
+    lines = ProgressLines(tmp_path / "open.log")
     store = StageStore(tmp_path)
-    told = ProgressLines(tmp_path / "open.log")
-    design = looked_at(file, TINY, SerialRunner(), store, told, Deadline(0.0, 1.0))
+    design = looked_at(file, TINY, SerialRunner(), store, lines, Deadline(0.0, 1.0))
     pieces = to_markdown(report_on(design, store, "2026-03-01"))
     assert "`--budget` allows more" in pieces["verdict"]
     for name in ("ranges", "motions", "maps", "branches", "sensitivity"):
