@@ -3,6 +3,7 @@
 ``Flags`` are truth values, ``Places`` indices of entries of another array.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import fields
 from typing import Any, Self
@@ -15,6 +16,11 @@ Complexes = NDArray[np.complex128]
 Flags = NDArray[np.bool_]
 Places = NDArray[np.intp]
 Integers = NDArray[np.int64]
+
+
+def norm(vector: Reals) -> float:
+    """Return the Euclidean length of a vector, (n,): for a short one sooner than ``numpy.linalg.norm``."""
+    return math.sqrt(vector @ vector)
 
 
 class ArrayRecord:

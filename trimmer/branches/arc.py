@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.optimize
 
-from trimmer.arrays import Reals
+from trimmer.arrays import Reals, norm
 from trimmer.branches.orbit import Place, Problem
 
 NARROWEST = 1e-13  # Distance along the branch, in its coordinates without units, to which a point is located
@@ -107,11 +107,11 @@ class Arc:
         steepness = STEEPEST * self._steepness(places[0], places[-1])
         for left, right in itertools.pairwise(places):
             ahead = self.distance(right) - self.distance(left)
-            apart = float(np.linalg.norm(right.position - left.position))
+            apart = norm(right.position - left.position)
             if apart > steepness * ahead + APART:
                 raise LostError
 
     def _steepness(self, left: Place, right: Place) -> float:
         """Return how long the chord of two places is, relative to how far it leads along the direction."""
         chord = right.position - left.position
-        return float(np.linalg.norm(chord) / (self.direction @ chord))
+        return float(norm(chord) / (self.direction @ chord))

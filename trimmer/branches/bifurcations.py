@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trimmer.arrays import norm
 from trimmer.branches.arc import Arc, LostError
 from trimmer.branches.orbit import Place, pairs
 from trimmer.branches.special import SpecialKind, SpecialPoint
@@ -37,7 +38,7 @@ class Bifurcation:
 def straight(arc: Arc, near: Place, far: Place) -> bool:
     """Say whether a smooth curve may join two orbits: its chord must lie close to both tangents."""
     chord = far.position - near.position
-    length = float(np.linalg.norm(chord))
+    length = norm(chord)
     if length < SHORTEST:
         return True
     tangents = (near.tangent(arc.direction), far.tangent(arc.direction))

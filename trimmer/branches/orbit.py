@@ -13,7 +13,7 @@ from functools import cache
 
 import numpy as np
 
-from trimmer.arrays import Complexes, Places, Reals
+from trimmer.arrays import Complexes, Places, Reals, norm
 from trimmer.branches.null_vector import normal_to
 from trimmer.branches.period_maps.period_map import Passage, PeriodMap
 from trimmer.errors import TrimmerError
@@ -127,7 +127,7 @@ class Place:
         along, turn = known.along
         along = along.copy()
         along[:-1] *= known.problem.sizes / self.problem.sizes
-        length = float(np.linalg.norm(along))
+        length = norm(along)
         return along / length, turn * length
 
     def tangent(self, reference: Reals) -> Reals | None:
@@ -142,18 +142,22 @@ class Place:
         """Return the last entry of the tangent, ``doubling``, ``orientation`` and ``torus``."""
         if self.along is None:
             return None
-        along, turn = self.along
-        ahead = float(along @ reference)
+        ahead, (last, turned) = float(self.along[0] @ reference), self._turned
         sign = math.copysign(1.0, ahead)
-        orientation = sign * float(along @ along) * turn
-        return (sign * float(along[-1]), self.doubling, orientation, self.torus) if ahead else None
+        return (sign * last, self.doubling, sign * turned, self.torus) if ahead else None
+
+    @cached_property
+    def _turned(self) -> tuple[float, float]:
+        """Last entry of the vector along the branch, and the determinant of slope and it, if there is one."""
+        along, turn = self.along or (np.zeros(1), 0.0)
+        return float(along[-1]), float(along @ along) * turn
 
     @cached_property
     def doubling(self) -> float:
         """Product of all multipliers plus 1, which changes its sign where a period doubles."""
         if self.known is not None:
             return self.known.doubling
-        return float(np.prod(self.multipliers + 1.0).real)
+        return float(np.multiply.reduce(self.multipliers + 1.0).real)
 
     @cached_property
     def products(self) -> Complexes:
@@ -167,7 +171,7 @@ class Place:
         """Product of all of them less 1."""
         if self.known is not None:
             return self.known.torus
-        return float(np.prod(self.products - 1.0).real)
+        return float(np.multiply.reduce(self.products - 1.0).real)
 
     def orientation(self, tangent: Reals) -> float:
         """Return the determinant of slope and tangent.

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trimmer.arrays import Reals
+from trimmer.arrays import Reals, norm
 from trimmer.branches.arc import Arc, LostError
 from trimmer.branches.bifurcations import SHORTEST, Bifurcation, bifurcations, dips, straight
 from trimmer.branches.borders import Border, borders, special_points
@@ -97,7 +98,7 @@ def step(front: Front, length: float, ends: tuple[float, float], *, smooth: bool
     if far is None or _astray(front, far):
         return None
     if rejoined(front, far):
-        close = np.linalg.norm(far.position - front.place.position) <= CLOSE_TO_JOINT
+        close = norm(far.position - front.place.position) <= CLOSE_TO_JOINT
         return Step(front, (), (), 0.0, BranchEnd.REJOINED, far) if close else None
     try:
         made = _examined(front, arc, far, smooth)
@@ -124,7 +125,7 @@ def _curved(front: Front, arc: Arc, ahead: float, straight: Reals) -> Reals | No
     curvature, third = 2.0 * rise + first - 3.0 * chord, rise + first - 2.0 * chord
     share = ahead / behind
     curved = straight + ahead * share * (curvature + share * third)
-    bend, reach = np.linalg.norm(curved - straight), np.linalg.norm(straight - front.place.position)
+    bend, reach = norm(curved - straight), norm(straight - front.place.position)
     return curved if bend <= MOST_CURVED * reach else None
 
 
@@ -149,7 +150,7 @@ def _astray(front: Front, far: Place) -> bool:
     """Say whether an orbit lies too far beside the tangent, or behind."""
     chord = far.position - front.place.position
     ahead = float(front.tangent @ chord)
-    aside = float(np.linalg.norm(chord - ahead * front.tangent))
+    aside = norm(chord - ahead * front.tangent)
     return ahead <= 0.0 or aside > FARTHEST_ASIDE * ahead
 
 
@@ -162,7 +163,7 @@ def rejoined(front: Front, far: Place) -> bool:
     first, last = halves(front.problem, front.place), halves(front.problem, far)
     if first is None or last is None:
         return False
-    lengths = float(np.linalg.norm(first)), float(np.linalg.norm(last))
+    lengths = norm(first), norm(last)
     if lengths[1] <= SINGLE:
         return True
     return float(first @ last) < OPPOSITE * lengths[0] * lengths[1]
@@ -209,7 +210,7 @@ def angle(first: Reals, second: Reals) -> float:
 
     Kahan, How futile are mindless assessments of roundoff, 2006, section 12: no rounding is enlarged.
     """
-    return 2.0 * float(np.arctan2(np.linalg.norm(first - second), np.linalg.norm(first + second)))
+    return 2.0 * math.atan2(norm(first - second), norm(first + second))
 
 
 def _passes(arc: Arc, border: Border) -> bool:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trimmer.arrays import Reals
+from trimmer.arrays import Reals, norm
 from trimmer.branches.branch import NEUTRAL, BranchEnd
 from trimmer.branches.corner import is_torn, turned
 from trimmer.branches.null_vector import null_vector
@@ -102,7 +102,7 @@ def _rescaled(front: Front, largest: Reals) -> tuple[Front, Reals]:
     tangent[:-1] *= front.problem.sizes / sizes
     before = None if front.before is None else problem.adopted(front.before)
     place = problem.adopted(front.place)
-    return Front(problem, place, tangent / np.linalg.norm(tangent), front.turn, before), largest
+    return Front(problem, place, tangent / norm(tangent), front.turn, before), largest
 
 
 def _restarted(front: Front) -> Front:
@@ -141,7 +141,7 @@ def _closed(first: Front, before: Front, after: Front) -> bool:
     if first.place.signature not in (before.place.signature, after.place.signature):
         return False
     here, chord = first.place.position[-1], after.place.position - before.place.position
-    ends, near = (before.place.position[-1], after.place.position[-1]), NEAR * float(np.linalg.norm(chord))
+    ends, near = (before.place.position[-1], after.place.position[-1]), NEAR * norm(chord)
     if not min(ends) - near <= here <= max(ends) + near:
         return False
     phases = before.problem.map.phases(first.place.value, first.place.strobed)
@@ -155,9 +155,9 @@ def _passed(position: Reals, before: Front, after: Front) -> bool:
     if not 0.0 < share <= 1.0:
         return False
     guess = before.place.position + share * chord
-    if float(np.linalg.norm(guess - position)) > NEAR * float(np.linalg.norm(chord)):
+    if norm(guess - position) > NEAR * norm(chord):
         return False
-    normal = chord / np.linalg.norm(chord)
+    normal = chord / norm(chord)
     found = before.problem.correct(guess, normal, float(normal @ position))
     return found is not None and bool(abs(found.position - position).max() < SAME)
 

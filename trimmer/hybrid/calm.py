@@ -17,14 +17,14 @@ LEAST_MARGIN = 0.15  # Share of a segment from its ends within which no motion b
 def is_amid(starts: Reals, period: float) -> bool:
     """Say whether the time 0 of a period, s, is far from its events, at increasing times, s."""
     own = period - starts[-1] + starts[0]
-    longest = max(own, float(np.diff(starts).max(initial=0.0)))
+    longest = max(own, float((starts[1:] - starts[:-1]).max(initial=0.0)))
     share = float(period - starts[-1]) / own if own > 0.0 else 0.0
     return own > LEAST_SHARE * longest and LEAST_MARGIN < share < 1.0 - LEAST_MARGIN
 
 
 def amid_longest(starts: Reals, period: float) -> float:
     """Return the middle of the longest segment between the events of a period, s, at increasing times, s."""
-    lengths = np.diff(starts)
+    lengths = starts[1:] - starts[:-1]
     own = period - starts[-1] + starts[0]
     if own >= lengths.max(initial=0.0):
         return float((starts[-1] + 0.5 * own) % period)
