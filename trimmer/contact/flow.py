@@ -200,7 +200,7 @@ class MechanismFlow(Flow):
         assert isinstance(subject, Mechanism)
         return MechanismFlow.returning(subject)
 
-    def between(self, middle: Flow, last: Flow) -> Callable[[Subject, float], System] | None:
+    def between(self, middle: Flow, last: Flow) -> Callable[[Callable[[], Subject], float], System] | None:
         """Return what gives the equations of a mechanism with a number between; see ``Flow.between``."""
         layout, *others = (each.modes.system.layout for each in (self, middle, last))
         arrays = [each.modes.system.machine for each in (self, middle, last)]
@@ -217,18 +217,15 @@ class MechanismFlow(Flow):
             if len((change := Change.between(first, end)).places)
         }
 
-        def system(_: Subject, share: float) -> MechanismSystem:
+        def system(_: Callable[[], Subject], share: float) -> MechanismSystem:
             changed = {name: change.on(getattr(machine, name), share) for name, change in changes.items()}
             return MechanismSystem(machine._replace(**changed), layout)
 
         return system
 
-    def with_modes(self, subject: Subject, modes: Modes[Any]) -> MechanismFlow:
+    def with_modes(self, subject: Callable[[], Subject], modes: Modes[Any]) -> MechanismFlow:
         """Return the motion of another mechanism, in the same frame, whose modes are known."""
-        assert isinstance(subject, Mechanism)
-        flow = MechanismFlow(settled_references(subject), self.frame)
-        vars(flow).update(modes=modes, parts=self.parts)
-        return flow
+        return _OfModes(subject, self.frame, modes, self.parts)
 
     @cached_property
     def axes(self) -> Mapping[str, tuple[int, ...]]:
@@ -379,3 +376,23 @@ class MechanismFlow(Flow):
         m λ² + c λ + k = 0 with m = q* M q, c = q* C q, and its real part is -c/2m; without damping that is 0.
         """
         return damping(self.mechanism, mode, states, rates, margins)
+
+
+class _OfModes(MechanismFlow):
+    """The motion of a mechanism whose modes are known; the mechanism is made when it is asked for."""
+
+    def __init__(
+        self,
+        subject: Callable[[], Subject],
+        frame: Frame | None,
+        modes: Modes[MechanismSystem],
+        parts: tuple[Part, ...],
+    ) -> None:
+        vars(self).update(made=subject, frame=frame, modes=modes, parts=parts)
+
+    @cached_property
+    def mechanism(self) -> Mechanism:
+        """The mechanism."""
+        subject = vars(self)["made"]()
+        assert isinstance(subject, Mechanism)
+        return settled_references(subject)

@@ -49,8 +49,7 @@ def instant_at(
     for wall in range(len(machine.restitution)):
         extended = at_gap(machine, wall, extended)
     if like is not None:
-        held = modes[modes.number(like.statuses)].hold @ extended
-        state = held[: layout.state_count]
+        state = modes.held(modes.number(like.statuses), extended)[: layout.state_count]
         return Instant(state, like.statuses, periods, phase, like.zeros, like.negligible)
     contacts = [_contact(machine, contact, extended, stretched) for contact in range(len(machine.stiffness))]
     negligible = 2.0**-56 * abs(machine.contact_distance @ extended)

@@ -152,28 +152,27 @@ class _Integration:
     def run(self, forcing: Reals, most_steps: int, most_events: int, exact: bool, watched: bool) -> Stretch:
         reached = np.array([0.0, 0.0, self.mode, 0.0, 0.0])
         task = Task(self.length, exact, self.keeps, forcing, self.states, self.counts, reached)
-        left, place = most_steps, Place(0, 0, self.mode, 0.0, 0)
+        left, now = most_steps, min(most_steps, AT_ONCE)
+        place = Place(0, 0, self.mode, 0.0, now)
         self.log = Log.empty(min(ROWS, most_events + 1), self.modes.system.layout.size)
         watch = _Watch(self.length, watched)
         try:
             while True:
-                now = min(left, AT_ONCE)
                 tables, work = self._tables()
-                clock = self._clock(most_events)
-                reason, place = integrate(tables, clock, work, self.log, place._replace(steps_left=now), task)
+                reason, place = integrate(tables, self._clock(most_events), work, self.log, place, task)
                 self.mode, left = place.mode, left - (now - place.steps_left)
+                now = min(left, AT_ONCE)
                 if reason == STEP_LIMIT and left > 0:
                     watch.update(place.time)
-                    continue
-                ending = self._ending(reason, place, most_events)
-                if ending is not None:
+                elif (ending := self._ending(reason, place, most_events)) is not None:
                     return self._stretch(ending, place, most_steps - left)
-                if reason == LOG_FULL:
+                elif reason == LOG_FULL:
                     self.log = self.log.longer(most_events + 1)
                 elif reason == CYCLING:
                     place = self._together(place, most_events, *self._cycling(place))
                 else:
                     place = self._decided(place, most_events)
+                place = place._replace(steps_left=now)
         except ArithmeticError:
             return self._stretch(Ending.UNDECIDED, place, most_steps - left)
         except KeyboardInterrupt as interrupt:

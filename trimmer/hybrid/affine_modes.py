@@ -96,16 +96,12 @@ class AffineModes(Generic[_System]):
 
     def learn(self, modes: Modes[Any]) -> bool:
         """Take the modes and transitions that other modes have met; say whether all are affine still."""
-        known = self.first.statuses
-        if self._base is None or len(modes.statuses) > len(known) or self._follows(modes):
+        if self._base is None or modes.tabulated or len(modes.statuses) > len(self.first.statuses):
+            before = self.first.tabulated, len(self.first.statuses)
             self._take(modes)
-            self._base = self._affine()
+            if self._base is None or before != (self.first.tabulated, len(self.first.statuses)):
+                self._base = self._affine()
         return self._base is not None
-
-    def _follows(self, modes: Modes[Any]) -> bool:
-        """Say whether other modes know of transitions that are not known here."""
-        count = len(self.first.statuses)
-        return not np.array_equal(modes.tables.target[:count], self.first.tables.target[:count])
 
     def _take(self, modes: Modes[Any]) -> None:
         for each in (self.first, self.middle, self.last):
@@ -134,8 +130,10 @@ class AffineModes(Generic[_System]):
     def numbers_alike(self, modes: Modes[Any]) -> bool:
         """Say whether other modes have the numbers here that they have there, and their resets."""
         own, count = self.first, len(modes.statuses)
+        if own.statuses[:count] != modes.statuses or not modes.tabulated:
+            return own.statuses[:count] == modes.statuses
         reset = modes.tables.reset[:count]
-        alike = own.statuses[:count] == modes.statuses and own.tables.reset.shape[1:] == reset.shape[1:]
+        alike = own.tables.reset.shape[1:] == reset.shape[1:]
         return alike and bool((own.tables.reset[:count] == reset)[reset != NO_RESET].all())
 
     def at(self, share: float, system: _System) -> Modes[_System]:

@@ -143,12 +143,14 @@ class Modes(Generic[_System]):
     Attributes:
         system: What moves.
         most_bytes: Memory that their tables may take.
+        tabulated: Number of transitions that were tabulated here, and not known before.
         tables: Tables of the modes that were asked for.
     """
 
     may_be_sparse: ClassVar[bool] = True  # Whether those of a large system are rows
     system: _System
     most_bytes: int = MOST_BYTES
+    tabulated: int = field(default=0, init=False, repr=False)
     _statuses: list[tuple[int, ...]] = field(default_factory=list, init=False, repr=False)
     _known: dict[int, ModeEquations] = field(default_factory=dict, init=False, repr=False)
     _numbers: dict[tuple[int, ...], int] = field(default_factory=dict, init=False, repr=False)
@@ -218,6 +220,12 @@ class Modes(Generic[_System]):
         self._numbers[statuses] = number  # Last, so that an interrupt leaves nothing half done.
         return number
 
+    def held(self, number: int, state: Reals) -> Reals:
+        """Return an extended state, (N,), made to fit what is held in a mode."""
+        dense = self.tables.rows is None
+        fitted: Reals = state @ self.tables.hold[number] if dense else self[number].hold @ state
+        return fitted
+
     def moduli(self, number: int, state: Reals) -> Reals:
         """Return the moduli of what event functions of a mode and their changes over a step are made of."""
         tables, size = self.tables, abs(state)
@@ -240,6 +248,7 @@ class Modes(Generic[_System]):
                 self.tables.zeros[(*place, action)] = zeros
             self.tables.reset[place] = NO_RESET if change.reset is None else self._keep_reset(change.reset)
         self.tables.target[place] = target
+        self.tabulated += 1
 
     def _make_room(self, modes: int, functions: int) -> None:
         tables = self.tables

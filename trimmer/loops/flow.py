@@ -78,7 +78,7 @@ class LoopFlow(Flow):
             zeros[list(begun), ARRIVED] = 1
         else:
             statuses = like.statuses
-            extended = modes[modes.number(statuses)].hold @ extended
+            extended = modes.held(modes.number(statuses), extended)
         return Instant(extended[: self.size], statuses, 0, phase, zeros, np.zeros(0))
 
     def at_other(self, subject: Subject) -> LoopFlow:
@@ -86,7 +86,7 @@ class LoopFlow(Flow):
         assert isinstance(subject, Loop)
         return LoopFlow(subject)
 
-    def between(self, middle: Flow, last: Flow) -> Callable[[Subject, float], System] | None:
+    def between(self, middle: Flow, last: Flow) -> Callable[[Callable[[], Subject], float], System] | None:
         """Return what gives the equations of a loop with a number between; see ``Flow.between``."""
         layout, *others = (each.modes.system.layout for each in (self, middle, last))
         if not all(replace(each, drives=()) == replace(layout, drives=()) for each in others):
@@ -95,11 +95,12 @@ class LoopFlow(Flow):
             return None
         return None if any(each.omegas != layout.omegas for each in others) else _system_of
 
-    def with_modes(self, subject: Subject, modes: Modes[Any]) -> LoopFlow:
+    def with_modes(self, subject: Callable[[], Subject], modes: Modes[Any]) -> LoopFlow:
         """Return the motion of another loop, whose modes are known."""
-        assert isinstance(subject, Loop)
-        vars(subject)["modes"] = modes
-        return LoopFlow(subject)
+        loop = subject()
+        assert isinstance(loop, Loop)
+        vars(loop)["modes"] = modes
+        return LoopFlow(loop)
 
     @cached_property
     def axes(self) -> Mapping[str, tuple[int, ...]]:
@@ -222,10 +223,11 @@ class LoopFlow(Flow):
         return real
 
 
-def _system_of(subject: Subject, share: float) -> LoopSystem:
+def _system_of(subject: Callable[[], Subject], share: float) -> LoopSystem:
     """Return the equations of a loop."""
-    assert isinstance(subject, Loop)
-    return LoopSystem(subject.interconnection())
+    loop = subject()
+    assert isinstance(loop, Loop)
+    return LoopSystem(loop.interconnection())
 
 
 def instant_in(flow: LoopFlow | Flow, mode: int, extended: Reals) -> Instant:

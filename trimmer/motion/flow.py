@@ -146,7 +146,7 @@ class Flow(ABC):
         """Return the motion of another subject of the same kind, as of one with another number."""
 
     @abstractmethod
-    def between(self, middle: Flow, last: Flow) -> Callable[[Subject, float], System] | None:
+    def between(self, middle: Flow, last: Flow) -> Callable[[Callable[[], Subject], float], System] | None:
         """Return what gives a subject's equations at a share of the way from this to the last motion.
 
         None if something but the equations of the states changes with the number, or not evenly; the
@@ -154,7 +154,7 @@ class Flow(ABC):
         """
 
     @abstractmethod
-    def with_modes(self, subject: Subject, modes: Modes[Any]) -> Flow:
+    def with_modes(self, subject: Callable[[], Subject], modes: Modes[Any]) -> Flow:
         """Return the motion of another subject of the same kind, whose modes are known."""
 
     @abstractmethod

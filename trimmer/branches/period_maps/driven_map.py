@@ -106,11 +106,23 @@ class DrivenMap:
         """
         # Where in a direction along which no force changes an orbit lies does not matter: leaders are at 0.
         state = flow.reduced(state)
+        near = self.flows.near.get(self._kind(flow))
+        found = None if near is None else self._repeated(flow, state, near, duration)
+        if found is not None:
+            return found
         begin = flow.at(state, self._phase(flow))
         course = self.course(flow, begin, duration)
         if self.statuses_returned(flow, course.end) == begin.statuses:
             return begin, course
         return self._repeated(flow, state, self.returned(flow, course.end), duration) or (begin, course)
+
+    def _kind(self, flow: Flow) -> tuple[float | None, float, int]:
+        """Return what passages of one kind share; a part may appear or vanish with the number."""
+        return self.share, self.length, len(flow.parts)
+
+    def begin_near(self, flow: Flow, course: Course) -> None:
+        """Let passages begin with the statuses of an orbit, if they end with them too."""
+        self.flows.near[self._kind(flow)] = self.returned(flow, course.end)
 
     def _repeated(
         self, flow: Flow, state: Reals, final: Instant, duration: float

@@ -14,6 +14,7 @@ from trimmer.branches.period_maps.strobe import Restart
 from trimmer.branches.period_maps.value_rate import ValueChange
 from trimmer.hybrid.calm import amid_longest, is_amid
 from trimmer.hybrid.stretch import Instant
+from trimmer.hybrid.system import NOTHING
 from trimmer.kept_property import cached_property
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
@@ -21,6 +22,9 @@ from trimmer.motion.part import Part, Phase, mirrored
 
 if TYPE_CHECKING:
     from trimmer.branches.period_maps.driven_map import DrivenMap
+
+SHARES = np.linspace(0.0, 1.0, 64)
+"""Instants of a passage at which its size is looked at, as shares of it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,10 +59,9 @@ class DrivenPassage:
     @cached_property
     def sizes(self) -> Reals:
         """Largest magnitude of each entry at events and equal times, shape (n,), 0 for what is rounding."""
-        times = np.linspace(0.0, self.course.duration, 64)
-        states = np.vstack([self.course.states(times), self.course.log.state])
-        sizes = np.asarray(abs(states).max(axis=0)[: len(self.course.end.state)])
-        return self.flow.without_rounding(sizes)
+        states = self.course.states(SHARES * self.course.duration), self.course.log.state
+        largest = np.maximum(*(abs(each).max(axis=0) for each in states))
+        return self.flow.without_rounding(largest[: len(self.course.end.state)])
 
     @cached_property
     def _segments(self) -> tuple[Reals, Integers]:
@@ -68,7 +71,7 @@ class DrivenPassage:
         last, since orbits close, as its mirror image in a mirrored map.
         """
         log, duration = self.course.log, self.course.duration
-        goes_on = np.append(np.diff(log.start) > 0.0, log.start[-1] < duration)
+        goes_on = np.append(log.start[1:] > log.start[:-1], log.start[-1] < duration)
         statuses = self.course.modes.tables.statuses[log.mode[goes_on]]
         before = np.concatenate([statuses[-1:], statuses[:-1]])
         if self.map.mirrored:
@@ -128,7 +131,7 @@ class DrivenPassage:
     @property
     def events(self) -> int:
         """Number of events."""
-        return len(self.course.events)
+        return int(np.count_nonzero(self.course.log.kind != NOTHING))
 
     def strobed(self, state: Reals) -> Reals:
         """Return the state at the start of a drive period, (n,), from that at which the passage begins."""
@@ -148,6 +151,7 @@ class DrivenPassage:
             root = root.single
         times = np.unique(self.course.times % (root.length * period))
         if not len(times) or (self.map.share is not None and is_amid(times, root.length * period)):
+            self.map.begin_near(self.flow, self.course)
             return None
         begun = self.map.share or 0.0
         share = (begun + amid_longest(times, root.length * period) / period) % root.length

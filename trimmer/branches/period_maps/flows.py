@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -11,13 +12,14 @@ import numpy as np
 from trimmer.branches.period_maps.value_flow import Slopes, changing
 from trimmer.errors import TrimmerError
 from trimmer.hybrid.affine_modes import AffineModes
+from trimmer.hybrid.stretch import Instant
 from trimmer.hybrid.system import System
 from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
-from trimmer.response.flows import flow_of
+from trimmer.response.flows import flow_of, known_flow_of
 
 KEPT = 4  # Values whose flows are kept
-WORTH = 3  # Values beyond all that are known from which on it is asked whether the equations are affine
+WORTH = 2  # Values beyond all that are known from which on it is asked whether the equations are affine
 TRIES = 2  # How often they may turn out not to be
 WIDTH = 2.0  # Factor between a value and the ends of the interval in which they are then known
 
@@ -30,7 +32,7 @@ class _Family:
     last: float
     flows: tuple[Flow, Flow, Flow]
     modes: AffineModes[Any]
-    system: Callable[[Subject, float], System]
+    system: Callable[[Callable[[], Subject], float], System]
     _slopes: tuple[tuple[int, int], Slopes] | None = None
 
     def share(self, value: float) -> float | None:
@@ -70,6 +72,8 @@ class _Family:
 class Flows:
     """The flows of a subject over one of its numbers.
 
+    ``near`` is where the last orbit would go on, for each kind of passage.
+
     Args:
         subject: What moves.
         place: Dotted place of the number.
@@ -80,6 +84,7 @@ class Flows:
         self._known: dict[float, Flow] = {}
         self._beyond, self._tries = 0, TRIES
         self._family: _Family | None = None
+        self.near: dict[object, Instant] = {}
 
     def at(self, value: float) -> Flow:
         """Return the motion with a value of the number.
@@ -95,7 +100,10 @@ class Flows:
         return self._known[value]
 
     def _made(self, value: float) -> Flow:
-        subject = self.subject.with_value(self.place, value)
+        if value == self.subject.value(self.place):
+            return known_flow_of(self.subject)
+        # Between two values that a number can have it can have all, so that nothing is made to ask for it.
+        subject = cache(partial(self.subject.with_value, self.place, value))
         share = None if self._family is None else self._family.share(value)
         if share is None:
             self._beyond += 1
@@ -107,12 +115,12 @@ class Flows:
         # A flow that was made and not followed, as with a period below 0, has met no modes.
         latest = next((each for each in reversed(self._known.values()) if each.modes.statuses), None)
         if family is None or share is None or latest is None:
-            return flow_of(subject)
+            return flow_of(subject())
         if not family.flows[0].is_alike(latest):  # A friction without a force is no part.
-            return flow_of(subject)
+            return flow_of(subject())
         if not family.modes.learn(latest.modes):
             self._family, self._tries = None, self._tries - 1
-            return flow_of(subject)
+            return flow_of(subject())
         return family.flows[0].with_modes(subject, family.modes.at(share, family.system(subject, share)))
 
     def _around(self, value: float) -> _Family | None:
@@ -133,12 +141,10 @@ class Flows:
 
         None where they are not affine, or number their modes otherwise.
         """
-        family, own = self._family, self.at(value).modes
-        if family is None or family.share(value) is None:
+        family, flow = self._family, self.at(value)
+        if family is None or family.share(value) is None or not family.flows[0].is_alike(flow):
             return None
-        if not family.flows[0].is_alike(self.at(value)):
-            return None
-        if not family.modes.learn(own) or not family.modes.numbers_alike(own):
+        if not family.modes.learn(flow.modes) or not family.modes.numbers_alike(flow.modes):
             return None
         far = family.last if abs(family.last - value) > abs(family.first - value) else family.first
         system = family.flows[2 if far == family.last else 0].modes.system

@@ -74,7 +74,9 @@ class ValueChange:
             tables = _dense(modes, log)
         both, room, terms = np.zeros((2, size)), room_for(0, 0, size), np.empty((4 + 2 * size, size))
         own, other = modes.system.layout, self.other.layout
-        if (own.phasors != other.phasors).any():  # as where the phase of the drive is varied
+        if (
+            own is not other and (own.phasors != other.phasors).any()
+        ):  # as where the phase of the drive is varied
             phase = self.course.begin.phase
             both[1, own.state_count :] = (other.forcing_at(phase) - own.forcing_at(phase)) / self.step
         rows, end = len(log.start), self.course.duration
@@ -86,8 +88,9 @@ class ValueChange:
             else:
                 both[1] = self._jumped(row, last, both[1])
             row = flow_on(tables, slopes, log, end, row, both, room, terms)
-        flow = tables.flow[int(log.mode[-1])]
-        return np.asarray((both[1] + flow @ both[0] * self.longer)[: own.state_count])
+        if self.longer:
+            both[1] += tables.flow[int(log.mode[-1])] @ both[0] * self.longer
+        return both[1, : own.state_count]
 
     @cached_property
     def slopes(self) -> Slopes:

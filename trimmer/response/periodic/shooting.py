@@ -57,8 +57,7 @@ class Shot:
         # What is held is exact at the start, and drifts by rounding.
         course, end = self.course, self.course.end
         extended = np.concatenate([end.state, _forcing(course, end)])
-        held = course.modes[course.modes.number(end.statuses)].hold @ extended
-        reached = held[: len(end.state)]
+        reached = course.modes.held(course.modes.number(end.statuses), extended)[: len(end.state)]
         if self.signs is not None:
             reached = self.signs * reached
         difference: Reals = (reached - course.begin.state) / self.sizes

@@ -11,7 +11,7 @@ from trimmer.arrays import Reals
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
-from trimmer.response.flows import flow_of
+from trimmer.response.flows import known_flow_of
 from trimmer.response.periodic.orbit import Orbit, orbit_of
 from trimmer.response.periodic.pace import pace_of
 from trimmer.response.periodic.shooting import Patience, Return, sizes_of, solve
@@ -178,7 +178,7 @@ def orbit_from_rest(subject: Subject, most_periods: int) -> Orbit | None:
     Returns:
         The orbit over its smallest number of drive periods; None if the motion does not settle until then.
     """
-    flow = flow_of(subject)
+    flow = known_flow_of(subject)
     return Settling(flow, flow.rest()).until_settled(most_periods)
 
 
