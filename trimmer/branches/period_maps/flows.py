@@ -81,7 +81,7 @@ class Flows:
 
     def __init__(self, subject: Subject, place: str) -> None:
         self.subject, self.place = subject, place
-        self._known: dict[float, Flow] = {}
+        self._own, self._known = subject.value(place), dict[float, Flow]()
         self._beyond, self._tries = 0, TRIES
         self._family: _Family | None = None
         self.near: dict[object, Instant] = {}
@@ -100,7 +100,7 @@ class Flows:
         return self._known[value]
 
     def _made(self, value: float) -> Flow:
-        if value == self.subject.value(self.place):
+        if value == self._own:
             return known_flow_of(self.subject)
         # Between two values that a number can have it can have all, so that nothing is made to ask for it.
         subject = cache(partial(self.subject.with_value, self.place, value))
