@@ -138,13 +138,14 @@ class _Following:
             grew = strobe.ending is Ending.DIVERGED and done > 0
             kind = MotionKind.DIVERGING if grew else MotionKind.UNDECIDED
             return Settled(kind, done, self.instant, ending=strobe.ending)
-        held = self._solve()
+        quiet = not strobe.counts[-1].any()
+        held = self._solve(quiet and self.flow.modes.system.clockwork is not None and not self.known)
         if held is not None:
             return on_orbit(held, done)
         for orbit in self.known:
             if settles_to(orbit, self.states):
                 return on_orbit(orbit, done)
-        return None if strobe.counts[-1].any() else self._without_events(done)
+        return self._without_events(done) if quiet else None
 
     def _without_events(self, done: int) -> Settled | None:
         """Return what the motion comes to if it meets no event any more."""
@@ -156,15 +157,19 @@ class _Following:
         lyapunov = 0.0 if found.orbit is None else None
         return Settled(found.kind, done, end, found.orbit, lyapunov, linear=found.motion)
 
-    def _solve(self) -> Orbit | None:
-        """Solve for the orbit near the motion, if it returns closely; return a neutral one that it is on."""
+    def _solve(self, linear: bool) -> Orbit | None:
+        """Solve for the orbit near the motion, if it returns closely; return a neutral one that it is on.
+
+        Args:
+            linear: Whether nothing but samples happens, so that there is one, far or near.
+        """
         together = self.flow.modes.system.layout.recurrence
         if not together or len(self.states) <= together:
             return None
         alike = self.states[(len(self.states) - 1) % together :: together]
         count, difference = recurrence(alike)
         count *= together
-        if difference >= PROGRESS * self.tried:
+        if difference >= PROGRESS * self.tried and not linear:
             return None
         self.tried = difference
         orbit = orbit_near(self.flow, self.instant, count)

@@ -19,8 +19,10 @@ from trimmer import (
     Friction,
     Link,
     Mechanism,
+    SerialRunner,
     follow,
     forced_orbit,
+    motion_map,
     respond,
     simulate,
 )
@@ -226,6 +228,17 @@ def test_a_sampled_axis_is_followed_over_its_gain() -> None:
     assert last.outputs["x"].peak_to_peak == pytest.approx(again.measures.peak_to_peak["x"], rel=1e-9)
     with pytest.raises(MechanismError, match="return together at single values only"):
         follow(driven, "controllers.fast.sample", 1e-3, 1.1e-3)
+
+
+@pytest.mark.parametrize("begins", [0.0, 0.49999, 0.5 + 1e-9])
+def test_a_stable_axis_rests_at_its_reference_however_near_it_begins(begins: float) -> None:
+    axis = example("sampled-axis")
+    axis = replace(axis, start={"motor": (begins, 0.0), "load": (begins and 0.5, 0.0)})
+    (motion,) = respond(axis).motions
+    assert (motion.kind, motion.rest.family) == (MotionKind.REST, False)
+    assert motion.rest.positions == pytest.approx({"motor": 0.5, "load": 0.5}, rel=1e-12)
+    cells = motion_map(axis, {"controllers.axis.delay": [0.5e-3, 7.5e-3]}, runner=SerialRunner()).cells
+    assert [cell.motions[0].kind for cell in cells] == [MotionKind.REST] * 2
 
 
 @pytest.mark.parametrize("delay", quick([7.3e-3, 40.3e-3], 0))

@@ -13,6 +13,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.hybrid.calm import amid_longest, is_amid
+from trimmer.hybrid.clock import WITHIN
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.kept_property import cached_property
 from trimmer.motion.course import Course
@@ -27,6 +28,7 @@ FAST = 1e-4
 """Share of the miss that a step leaves where Newton's method is at its best: what is left is rounding."""
 ROUNDED = 1e-12  # Miss below which a step that does not reduce it is not shortened: it is rounding
 SINGULAR = 1e-12  # Share of the largest singular value of Newton's matrix below which one is rounding
+SUMMED = 1e-4  # Share of the terms of a sum below which it is not measured by itself
 SAMPLES = 16  # Instants at which a motion without events is looked at
 MOST_CALM = 3  # How often an instant amid a long segment is looked for, as the motion changes
 POLISHED = 40
@@ -183,7 +185,27 @@ def sizes_of(course: Course) -> Reals:
         times = np.linspace(0.0, course.duration, SAMPLES)
         states = np.vstack([states, course.states(times)[:, : layout.state_count]])
     sizes: Reals = layout.sizes(states, course.duration)
-    return sizes
+    return np.maximum(sizes, SUMMED * _summed(course)) if course.modes.system.clockwork else sizes
+
+
+def _summed(course: Course) -> Reals:
+    """Return how large a state must be to count beside what samplers add to it, or it to, (n,); else 0."""
+    clockwork, size = course.modes.system.clockwork, course.modes.system.layout.state_count
+    reach = abs(course.log.state).max(axis=0)
+    summed = np.zeros_like(reach)
+    _, updates = clockwork.sampling(course.modes, course.log.mode[0])
+    for sampler, rows in zip(clockwork.samplers, abs(updates[:, WITHIN]), strict=True):
+        places, (waiting, acting) = list(sampler.places), sampler.acting
+        # What was demanded last comes last, and goes through all places before it to where it acts.
+        for place, row in [*zip(places, rows, strict=False)][::-1]:
+            reach[place] = summed[place] = max(reach[place], row @ reach)
+        read = rows[: len(places), places] * (1.0 - np.eye(len(places)))
+        enough = np.divide(summed[places, None], read, out=np.full_like(read, np.inf), where=read > 0)
+        least = enough.min(axis=0, initial=np.inf)
+        summed[places] = np.maximum(summed[places], np.where(least < np.inf, least, 0.0))
+        summed[acting] = summed[waiting]
+    found: Reals = summed[:size]
+    return found
 
 
 @dataclass(frozen=True)

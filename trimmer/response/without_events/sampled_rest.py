@@ -5,6 +5,7 @@ comes to rest is solved for from one period and its derivative, and not waited f
 """
 
 import numpy as np
+from scipy.linalg import matrix_balance
 
 from trimmer.arrays import Reals
 from trimmer.contact.machine.statuses import STICK
@@ -38,8 +39,10 @@ def sampled_rest(flow: Flow, instant: Instant, sizes: Reals, gone: float = GONE)
         or not _is_still(course.nodes.states, sizes, gone)
     ):
         return None
-    left = (course.end.state - instant.state) / sizes
-    away = np.eye(len(sizes)) - course.monodromy * sizes / sizes[:, None]
+    # In scales that make its rows as large as its columns what a matrix leaves singular is seen best.
+    scale = matrix_balance(course.monodromy, permute=False, separate=True)[1][0]
+    left = (course.end.state - instant.state) / scale
+    away = np.eye(len(sizes)) - course.monodromy * scale / scale[:, None]
     outer, values, inner = np.linalg.svd(away)
     moves = values > SINGULAR * values.max(initial=0.0)
     shares = outer.T @ left
@@ -47,10 +50,12 @@ def sampled_rest(flow: Flow, instant: Instant, sizes: Reals, gone: float = GONE)
     # What samples leave as it is stays so up to the rest. Nothing of it is left over where a body moves on.
     stays, places = outer[:, ~moves].T, inner[~moves].T
     further += places @ np.linalg.lstsq(stays @ places, -stays @ further, rcond=SINGULAR)[0]
-    moved_on = max(abs(shares[~moves]).max(initial=0.0) / DRIFT, abs(stays @ further).max(initial=0.0) / GONE)
-    if moved_on > 1.0 or abs(further).max(initial=0.0) > gone:
+    size = abs(stays) @ (sizes / scale)
+    goes_on, left_over = (abs(each) / size for each in (shares[~moves], stays @ further))
+    moved_on = max(goes_on.max(initial=0.0) / DRIFT, left_over.max(initial=0.0) / GONE)
+    if moved_on > 1.0 or (abs(further) * scale / sizes).max(initial=0.0) > gone:
         return None
-    limit = flow.at(instant.state + sizes * further, instant.phase, like=instant)
+    limit = flow.at(instant.state + scale * further, instant.phase, like=instant)
     return Rest(flow, limit, bool((~moves).any()), _slides(flow, limit, sizes))
 
 
