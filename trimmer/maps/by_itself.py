@@ -1,4 +1,4 @@
-"""What a cell without a drive settles to: a controlled machine that rests, hunts or grows."""
+"""What a cell without a drive settles to: a machine that rests, moves by itself or grows."""
 
 from dataclasses import dataclass, replace
 
@@ -8,7 +8,7 @@ from trimmer.arrays import Reals
 from trimmer.errors import DivergingMotionError
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.hybrid.system import NOTHING
-from trimmer.maps.measures import Measures, chosen, of_orbit, of_window
+from trimmer.maps.measures import Measures, at_rest, chosen, of_orbit, of_window
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.response.by_itself.self_excited import STRETCHES, self_excited
@@ -70,6 +70,7 @@ def measured(flow: Flow, found: CameTo, keys: tuple[str, ...]) -> Measures | Non
         return None
     count = found.returns
     own = of_orbit(flow, found.course, 1) if count == 1 else of_window(flow, found.course, count)
+    own = at_rest(flow, own) if found.kind is MotionKind.REST else own
     return replace(own, chosen=chosen(flow, found.course, 1, count, keys)) if keys else own
 
 

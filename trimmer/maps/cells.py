@@ -14,7 +14,7 @@ from trimmer.errors import TrimmerError
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.maps.by_itself import begins_alike, came_to, measured
 from trimmer.maps.inputs import Settings, varied
-from trimmer.maps.measures import Measures, chosen, of_lines, of_orbit, of_window
+from trimmer.maps.measures import Measures, at_rest, chosen, of_lines, of_orbit, of_window
 from trimmer.maps.settle import Settled, on_orbit, orbit_near, settle, strobed_sizes
 from trimmer.mechanism.coordinates import radius_of
 from trimmer.mechanism.kinds import Kind
@@ -256,14 +256,14 @@ def _described(flow: Flow, settled: Settled) -> CellMotion:
 
 
 def _repeating(flow: Flow, kind: MotionKind, orbit: Orbit, periods: int) -> CellMotion:
-    rests = kind is MotionKind.REST
+    rests, measures = kind is MotionKind.REST, of_orbit(flow, orbit.course, orbit.periods)
     return CellMotion(
         kind,
         0 if rests else orbit.period_count,
         periods,
         float(abs(orbit.nontrivial_multipliers).max(initial=0.0)),
         states=_tuples(orbit.strobed[: orbit.period_count]),
-        measures=of_orbit(flow, orbit.course, orbit.periods),
+        measures=at_rest(flow, measures) if rests else measures,
         neutral=orbit.neutral,
         holding=orbit.instant.statuses if rests else (),
     )

@@ -16,7 +16,7 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import require_subject
-from trimmer.response.periodic.pace import periods_of
+from trimmer.response.periodic.pace import period_word, periods_of
 
 _Subject = TypeVar("_Subject", bound="Subject")
 FORMAT = 1  # Version of the format of files
@@ -52,6 +52,11 @@ class MapInputs:
     def driven(self) -> bool:
         """Whether periods of a drive are counted, of which the clock of a sampled controller is one."""
         return is_driven(self.subject)
+
+    @property
+    def counted(self) -> str:
+        """What impacts are counted by: a period of the drive, a sample, or a period of the motion itself."""
+        return period_word(self.subject) if self.driven else "period"
 
     @property
     def waited(self) -> str:
@@ -136,8 +141,8 @@ def checked_inputs(mechanism: Subject, values: Mapping[str, ArrayLike], settings
     require_instance("values", values, Mapping, "a mapping of dotted places to values")
     for place in values:
         require_instance("place", place, str, "a dotted place such as plays.bridge.gap")
-    if mechanism.frequency is None and not isinstance(mechanism, Mechanism):
-        raise MapError("the loop has no drive, and maps are of driven loops: give it one")
+    if is_silent(mechanism):
+        raise MapError(f"{SILENT}, or follow its own orbits (trimmer follow)")
     if not 1 <= len(values) <= 2:
         raise MapError(f"a map is over one place or two, not {len(values)}")
     places = tuple(place_text(parse_place(place)) for place in values)
@@ -161,6 +166,14 @@ def is_driven(subject: Subject) -> bool:
     mechanism = subject if isinstance(subject, Mechanism) else None
     clocked = mechanism is not None and bool(clocks_in(mechanism) or sines_in(mechanism))
     return clocked or subject.frequency is not None
+
+
+SILENT = "the loop has no drive, and from rest it stays there: give it one"  # Why it is in no map
+
+
+def is_silent(subject: Subject) -> bool:
+    """Say whether something rests where its motions begin, whatever it may do from elsewhere."""
+    return not isinstance(subject, Mechanism) and subject.frequency is None
 
 
 def _numbers(place: str, values: ArrayLike) -> tuple[float, ...]:

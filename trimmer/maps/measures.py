@@ -5,7 +5,7 @@ and these take a fraction of the time.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -74,6 +74,14 @@ def of_orbit(flow: Flow, course: Course, period_count: int) -> Measures:
         {name: frictions.get(name, 0.0) for name in flow.rubbing},
         *_of_events(flow, course, period_count),
     )
+
+
+def at_rest(flow: Flow, measures: Measures) -> Measures:
+    """Return the measures of what rests, without the rounding that they are where no wave moves anything."""
+    if flow.modes.system.layout.orders:
+        return measures
+    swings, shakes = (dict.fromkeys(each, 0.0) for each in (measures.peak_to_peak, measures.rms_acceleration))
+    return replace(measures, peak_to_peak=swings, rms_acceleration=shakes)
 
 
 def of_window(flow: Flow, course: Course, periods: int) -> Measures:

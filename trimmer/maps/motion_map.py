@@ -56,7 +56,7 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
     file as it is after the last whole cell.
 
     Args:
-        mechanism: The mechanism, or a loop with a drive.
+        mechanism: The mechanism or loop; a loop has a drive.
         values: Values, in SI units, by their dotted places, one place or two; the first runs along a row.
         most_periods: Drive periods to wait at most in each cell, 300 if not given; 16 samples for one, where
             these alone drive. Without a drive periods of the slowest mode, 1700 if not given.

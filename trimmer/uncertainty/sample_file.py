@@ -11,7 +11,7 @@ from trimmer.design.specification.design_file import (
     design_file_of_text,
     read_design_file,
 )
-from trimmer.design.specification.targets import Target, is_stepped
+from trimmer.design.specification.targets import Target
 from trimmer.errors import MechanismError
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.problems import Problem, as_message_of_file
@@ -60,11 +60,6 @@ def sample_file_of_text(text: str, name: str) -> SampleFile:
 
 
 def _sampled(file: DesignFile) -> SampleFile:
-    if is_stepped(each.measure for each in file.targets):
-        raise MechanismError(
-            f"{file.name}: samples are judged by what they settle to, and [targets] are of a step: leave "
-            "them out here; 'trimmer design' judges a step for machines as they scatter"
-        )
     uncertainty = _uncertainty(file, tuple(map(_evenly, file.ranges)))
     if not uncertainty.scatters:
         raise MechanismError(

@@ -5,9 +5,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trimmer.arrays import Flags, Reals
+from trimmer.design.specification.targets import Target, is_stepped
+from trimmer.design.trials.trial import MeasureOfPart, all_measures
 from trimmer.errors import TrimmerError, UncertaintyError
-from trimmer.maps.inputs import varied
-from trimmer.mechanism.mechanism import Mechanism
+from trimmer.maps.inputs import SILENT, is_silent, varied
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import require_subject
 from trimmer.uncertainty.distributions import Uncertainty
@@ -55,6 +56,7 @@ class SampleInputs:
         settings: How samples are drawn and looked at.
         values: The samples, SI units, shape (n, numbers that scatter).
         possible: Whether a mechanism or loop can have such numbers, shape (n,).
+        targets: What is wanted.
     """
 
     subject: Subject
@@ -62,6 +64,17 @@ class SampleInputs:
     settings: SampleSettings
     values: Reals
     possible: Flags
+    targets: tuple[Target, ...]
+
+    @property
+    def stepped(self) -> bool:
+        """Whether targets are of a step."""
+        return is_stepped(each.measure for each in self.targets)
+
+    @property
+    def asked(self) -> tuple[MeasureOfPart, ...]:
+        """What is measured of each sample: how it follows a step if targets are of one, else what it does."""
+        return all_measures(self.subject, stepped=self.stepped)
 
 
 def drawn_values(
@@ -79,19 +92,24 @@ def drawn_values(
 
 
 def sample_inputs(
-    subject: Subject, uncertainty: Uncertainty, settings: SampleSettings, *, indices: bool = False
+    subject: Subject,
+    uncertainty: Uncertainty,
+    settings: SampleSettings,
+    targets: tuple[Target, ...] = (),
+    *,
+    indices: bool = False,
 ) -> SampleInputs:
     """Draw samples, and check which of them are possible.
 
     Raises:
-        UncertaintyError: if nothing drives a loop, too many samples are impossible, or indices of
+        UncertaintyError: if a loop has no drive, too many samples are impossible, or indices of
             dependent numbers are wanted.
         MechanismError: if there is no number at a place.
     """
     settings, values = drawn_values(uncertainty, settings, indices=indices)
     require_subject(subject)
-    if subject.frequency is None and not isinstance(subject, Mechanism):
-        raise UncertaintyError("the loop has no drive, and samples are of driven loops: give it one")
+    if is_silent(subject):
+        raise UncertaintyError(SILENT)
     for place in uncertainty.places:
         subject.value(place)
     reasons = [_reason_against(subject, uncertainty.places, tuple(row)) for row in values.tolist()]
@@ -102,7 +120,7 @@ def sample_inputs(
             f"{(~possible).mean():.1%} of the samples are impossible, the first one because {reason}; "
             "let the number scatter less, or uniformly between values that it can have"
         )
-    return SampleInputs(subject, uncertainty, settings, values, possible)
+    return SampleInputs(subject, uncertainty, settings, values, possible, targets)
 
 
 def _reason_against(subject: Subject, places: tuple[str, ...], values: tuple[float, ...]) -> str:

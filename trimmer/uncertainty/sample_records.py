@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from trimmer.design.specification.targets import Measure
-from trimmer.design.trials.trial import MeasureOfPart, Trial, all_measures
+from trimmer.design.trials.trial import MeasureOfPart, Trial
 from trimmer.files import SAMPLES
 from trimmer.json_data import DataError, typed
 from trimmer.maps.inputs import described
@@ -73,7 +73,7 @@ def header(inputs: SampleInputs) -> dict[str, object]:
             "seed": settings.seed,
             "most_periods": settings.most_periods,
         },
-        "asked": [[each.measure.name.lower(), each.part] for each in all_measures(inputs.subject)],
+        "asked": [[each.measure.name.lower(), each.part] for each in inputs.asked],
     }
     digest = hashlib.sha256(
         json.dumps(content, sort_keys=True).encode() + inputs.values.tobytes()
@@ -86,7 +86,7 @@ def begin(path: Path, inputs: SampleInputs, *, overwrite: bool = False) -> None:
     _SAMPLES.begin(path, header(inputs), overwrite=overwrite)
 
 
-def resumed(path: Path, inputs: SampleInputs, asked: tuple[MeasureOfPart, ...]) -> dict[int, Trial]:
+def resumed(path: Path, inputs: SampleInputs) -> dict[int, Trial]:
     """Return the samples that a file holds by their numbers, and cut off what is half-written."""
     results: dict[int, Trial] = {}
     for line, data in _SAMPLES.entries(path, header(inputs)):
@@ -94,7 +94,7 @@ def resumed(path: Path, inputs: SampleInputs, asked: tuple[MeasureOfPart, ...]) 
             said = typed(_Kept, data)
             if said.number in results:
                 raise DataError(f"number is {said.number}, as in a line before")
-            results[said.number] = _trial(said, inputs, asked)
+            results[said.number] = _trial(said, inputs, inputs.asked)
         except DataError as error:
             raise _SAMPLES.damaged(path, line, error) from error
     cut(path)

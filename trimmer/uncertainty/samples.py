@@ -11,14 +11,17 @@ import numpy as np
 
 from trimmer.arrays import Flags, Reals
 from trimmer.design.specification.targets import Measure, Target
-from trimmer.design.trials.trial import MeasureOfPart, Trial, TrialWork, all_measures
+from trimmer.design.trials.trial import MeasureOfPart, Trial, TrialWork
 from trimmer.maps.cells import waited_for
+from trimmer.maps.inputs import is_driven
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
 from trimmer.progress import progress_bar
+from trimmer.response.by_itself.self_excited import STRETCHES
 from trimmer.response.flows import called, flow_of
-from trimmer.response.periodic.pace import periods_of
+from trimmer.response.periodic.pace import pace_of, periods_of
+from trimmer.response.results.response import MotionKind
 from trimmer.runners import ProcessRunner, Runner, SerialRunner
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular, counted
@@ -52,15 +55,21 @@ class Samples(Tabular, Drawn):
 
     Attributes:
         inputs: What they depend on.
-        targets: What is wanted.
-        asked: What was measured.
         trials: One for each possible sample, in the order of the samples.
     """
 
     inputs: SampleInputs
-    targets: tuple[Target, ...]
-    asked: tuple[MeasureOfPart, ...]
     trials: tuple[Trial, ...]
+
+    @property
+    def targets(self) -> tuple[Target, ...]:
+        """What is wanted."""
+        return self.inputs.targets
+
+    @property
+    def asked(self) -> tuple[MeasureOfPart, ...]:
+        """What was measured."""
+        return self.inputs.asked
 
     @property
     def impossible(self) -> int:
@@ -109,8 +118,7 @@ class Samples(Tabular, Drawn):
         """
         waited = self._waited
         words = [
-            "failed" if trial.kind is None else waited_for(trial.kind.described(trial.period_count), waited)
-            for trial in self.trials
+            _what(trial) if trial.kind is None else waited_for(_what(trial), waited) for trial in self.trials
         ]
         return {
             word: words.count(word)
@@ -119,7 +127,18 @@ class Samples(Tabular, Drawn):
 
     @property
     def _waited(self) -> str:
-        return periods_of(self.inputs.subject, self.inputs.settings.most_periods)
+        inputs = self.inputs
+        if inputs.stepped:
+            return "a step"
+        if not is_driven(inputs.subject):
+            return f"{sum(STRETCHES)} periods of its slowest mode"
+        return periods_of(inputs.subject, inputs.settings.most_periods * pace_of(inputs.subject))
+
+    @property
+    def _followed(self) -> str:
+        """How far each was followed, in words."""
+        through = "through the step until it rests or hunts evenly"
+        return through if self.inputs.stepped else f"for at most {self._waited}"
 
     @property
     def message(self) -> str:
@@ -129,8 +148,8 @@ class Samples(Tabular, Drawn):
         begun = "rest or the file's own start" if of_mechanism else of_loop
         told = (
             f"{counted(len(self.inputs.values), 'sample')} ({settings.plan.word}, seed {settings.seed}), "
-            f"each from {begun}, for at most {self._waited}; "
-            "other motions were not looked for."
+            f"each from {begun}, {self._followed}; other "
+            "motions were not looked for."
         )
         if assumed := [each.place for each in self.inputs.uncertainty.scatters if each.assumed]:
             told += f" Of {', '.join(assumed)} the file only gives a range, which was taken as uniform."
@@ -139,6 +158,13 @@ class Samples(Tabular, Drawn):
         whose = "its" if self.failed == 1 else "their"
         failed = f" {counted(self.failed, 'motion')} could not be followed to {whose} end."
         return told + (failed if self.failed else "")
+
+
+def _what(trial: Trial) -> str:
+    if trial.kind is None:
+        return "failed"
+    hunts = trial.kind is MotionKind.PERIODIC and trial.period_count is None
+    return "hunts evenly" if hunts else trial.kind.described(trial.period_count)
 
 
 def _value_at(place: int) -> Callable[[Trial], float]:
@@ -164,7 +190,7 @@ def sample(
     A sample belongs to its number: who computes it, and in what order, changes no digit.
 
     Args:
-        subject: The mechanism or loop; it has a drive.
+        subject: The mechanism or loop; a loop has a drive.
         uncertainty: What scatters, as ``uncertainty_from`` makes it.
         settings: How samples are drawn and looked at.
         targets: What is wanted.
@@ -173,15 +199,15 @@ def sample(
         quiet: Show no progress bar.
 
     Raises:
-        UncertaintyError: if too many samples are impossible, or nothing drives the mechanism or loop.
+        UncertaintyError: if too many samples are impossible, or a loop has no drive.
         MechanismError, LoopError: if there is no number at a place that scatters.
         WrongTypeError: if it is neither a mechanism nor a loop.
         MapFileError: if the file cannot be gone on with.
         FileWriteError: if the file cannot be written.
     """
-    inputs = sample_inputs(subject, uncertainty, settings or SampleSettings())
+    inputs = sample_inputs(subject, uncertainty, settings or SampleSettings(), targets)
     trials = trials_of(inputs, runner, keeping, quiet=quiet)
-    return Samples(inputs, targets, all_measures(subject), trials)
+    return Samples(inputs, trials)
 
 
 def sample_mechanism(file: SampleFile, settings: SampleSettings | None = None, **others: Any) -> Samples:
@@ -198,20 +224,18 @@ def trials_of(
     inputs: SampleInputs, runner: Runner | None = None, keeping: Keeping = NOWHERE, *, quiet: bool = False
 ) -> tuple[Trial, ...]:
     """Return what each possible sample does, in the order of the samples."""
-    asked = all_measures(inputs.subject)
     done: dict[int, Trial] = {}
     if keeping.path is not None and keeping.resume:
-        done = sample_records.resumed(keeping.path, inputs, asked)
+        done = sample_records.resumed(keeping.path, inputs)
     elif keeping.path is not None:
         sample_records.begin(keeping.path, inputs, overwrite=keeping.overwrite)
-    for number, trial in _computed(inputs, asked, done, runner, keeping.path, quiet):
+    for number, trial in _computed(inputs, done, runner, keeping.path, quiet):
         done[number] = trial
     return tuple(done[number] for number in np.flatnonzero(inputs.possible).tolist())
 
 
 def _computed(
     inputs: SampleInputs,
-    asked: tuple[MeasureOfPart, ...],
     done: dict[int, Trial],
     runner: Runner | None,
     path: Path | None,
@@ -224,7 +248,7 @@ def _computed(
     if runner is None:
         runner = ProcessRunner() if len(left) > FEW else SerialRunner()
     places = inputs.uncertainty.places
-    work = SampleWork(TrialWork(inputs.subject, places, asked, inputs.settings.most_periods))
+    work = SampleWork(TrialWork(inputs.subject, places, inputs.asked, inputs.settings.most_periods))
     samples = ((number, tuple(inputs.values[number].tolist())) for number in left)
     results = runner.results(work, samples)
     with progress_bar(

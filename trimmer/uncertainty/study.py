@@ -9,10 +9,12 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.design.specification.targets import Measure
-from trimmer.design.trials.trial import MeasureOfPart, TrialWork, all_measures
+from trimmer.design.trials.trial import MeasureOfPart, TrialWork
 from trimmer.errors import UnsupportedMotionError
 from trimmer.harmonics.balance import require_balanceable
+from trimmer.maps.inputs import is_driven
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.response.results.response import MotionKind
 from trimmer.runners.runner import Runner
 from trimmer.uncertainty.balance import BalancedSamples, balanced_samples
 from trimmer.uncertainty.indices import Indices, indices_where
@@ -85,9 +87,9 @@ def study_samples(
         require_balanceable(file.mechanism)
     warm_up(file)
     begin = time.perf_counter()
-    inputs = sample_inputs(file.subject, file.uncertainty, settings, indices=indices)
+    inputs = sample_inputs(file.subject, file.uncertainty, settings, file.targets, indices=indices)
     trials = trials_of(inputs, runner, keeping, quiet=quiet)
-    samples = Samples(inputs, file.targets, all_measures(file.subject), trials)
+    samples = Samples(inputs, trials)
     found = _indices(samples) if indices else {}
     seconds = time.perf_counter() - begin
     rate = len(samples.trials) / seconds if not keeping.resume else math.nan
@@ -108,8 +110,10 @@ def _indices(samples: Samples) -> dict[QuantityOfInterest, Indices]:
 
 def _quantities(samples: Samples) -> list[tuple[QuantityOfInterest, Reals]]:
     """Return what is so, as 0 and 1, and then the size of each measure, where it exists."""
-    repeats = np.array([trial.period_count == 1 for trial in samples.trials], dtype=float)
-    found = [(QuantityOfInterest("whether the motion repeats with the drive"), repeats)]
+    driven = is_driven(samples.inputs.subject)
+    told = "whether the motion repeats with the drive" if driven else "whether it comes to rest"
+    so = [each.period_count == 1 if driven else each.kind is MotionKind.REST for each in samples.trials]
+    found = [(QuantityOfInterest(told), np.array(so, dtype=float))]
     if samples.targets:
         found.append((QuantityOfInterest("whether all targets are met"), samples.met.astype(float)))
     for asked in samples.asked:
@@ -118,15 +122,6 @@ def _quantities(samples: Samples) -> list[tuple[QuantityOfInterest, Reals]]:
     return found
 
 
-_NAMES = {
-    Measure.STROKE: "peak to peak of {}",
-    Measure.RMS_ACCELERATION: "rms acceleration of {}",
-    Measure.IMPACT_SPEED: "impact speed of {}",
-    Measure.WEAR_POWER: "wear power of {}",
-    Measure.PERIOD: "drive periods",
-}
-
-
 def name_of(asked: MeasureOfPart) -> str:
     """Return what is measured, in words."""
-    return _NAMES[asked.measure].format(asked.part)
+    return f"{asked.measure.key.replace('_', ' ')} of {asked.part}"

@@ -18,6 +18,8 @@ from trimmer.design import (
 from trimmer.design.specification.design_file import design_file_of_text
 from trimmer.design.trials.trial import TrialWork, all_measures
 from trimmer.uncertainty.sample_file import sample_file_of_text
+from trimmer.uncertainty.sample_inputs import SampleSettings
+from trimmer.uncertainty.study import study_samples
 
 AXIS = """
 [bodies]
@@ -154,9 +156,17 @@ def test_units_of_targets_are_those_of_what_is_measured() -> None:
     assert [(each.bound, each.unit) for each in targets] == [(5.0, "%"), (0.02, "N"), (1e-5, "m")]
 
 
-def test_samples_are_not_judged_by_steps() -> None:
-    text = (
-        AXIS + '[targets]\nhunting_at_most = 0\n[uncertainty]\n"bodies.slide.mass" = { normal = "0.1 kg" }\n'
+def test_samples_are_judged_by_the_step_that_targets_are_of() -> None:
+    scatters = '[uncertainty]\n"controllers.axis.kp" = { uniform = [2.0, 8.0] }\n'
+    mine = sample_file_of_text(f"{AXIS}[targets]\novershoot_at_most = 5\n{scatters}", "mine.toml")
+    study = study_samples(mine, SampleSettings(count=8), indices=True, runner=SerialRunner())
+    found = study.samples
+    expected = [overshoot(trial.values[0]) for trial in found.trials]
+    assert [trial.value(Measure.OVERSHOOT, "axis") for trial in found.trials] == pytest.approx(
+        expected, rel=1e-9
     )
-    with pytest.raises(MechanismError, match="samples are judged by what they settle to"):
-        sample_file_of_text(text, "mine.toml")
+    assert found.met.tolist() == [each <= 5 for each in expected]
+    assert found.kinds == {"rest": len(expected)}
+    assert "through the step" in found.message
+    names = [quantity.name for quantity in study.indices]
+    assert names[0] == "whether it comes to rest" and "settling time of axis" in names

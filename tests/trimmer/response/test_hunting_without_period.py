@@ -168,12 +168,14 @@ def test_hunting_that_is_chaotic_tells_how_far_it_goes() -> None:
     assert "largest Lyapunov exponent" in motion.message and "may still be a transient" in motion.message
 
 
-def test_a_trial_of_a_design_measures_rest_and_not_chaos() -> None:
+def test_a_trial_of_a_design_measures_rest_and_chaos() -> None:
     stroke = MeasureOfPart(Measure.STROKE, "angle")
     rests, hunts = map(TrialWork(servo(), (KP,), (stroke,), 0), ((20.0,), (52.0,)))
-    assert (rests.kind, hunts.kind) == (MotionKind.REST, None)
-    assert rests.value(stroke.measure, "angle") < 1e-12
-    assert np.isnan(hunts.value(stroke.measure, "angle"))
+    assert (rests.kind, hunts.kind) == (MotionKind.REST, MotionKind.CHAOTIC)
+    assert rests.value(stroke.measure, "angle") == 0.0
+    later = simulate(servo().with_value(KP, 52.0), 300.0)
+    swings = np.ptp(later.output("angle", np.linspace(200.0, 300.0, 100_001)))
+    assert hunts.value(stroke.measure, "angle") == pytest.approx(swings, rel=0.2)
 
 
 @pytest.mark.parametrize(

@@ -181,10 +181,11 @@ def test_impossible_samples_are_refused_or_told() -> None:
     assert "1 sample that no mechanism can have was left out" in found.message
 
 
-def test_without_a_drive_all_of_them_rest() -> None:
+def test_without_a_drive_it_rests() -> None:
     free = TEXT.replace("frequency = 0.2", "").replace('drive = { on = "mass", amplitude = 2.0 }', "")
     found = sampled(sample_file_of_text(free, "free.toml"), SETTINGS)
     assert found.kinds == {"rest": len(found.trials)}
+    assert "1700 periods of its slowest mode" in found.message
 
 
 def test_indices_find_what_matters() -> None:

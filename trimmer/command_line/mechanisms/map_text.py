@@ -102,7 +102,7 @@ def _ranges(result: MotionMap) -> list[tuple[str, ...]]:
     units, power = result.outputs, result.measured_in.power
     measures = [
         *((f"{name}, peak to peak", each, units[name]) for name, each in result.peak_to_peak.items()),
-        (f"impacts per {'drive ' if result.inputs.driven else ''}period", result.impacts, ""),
+        (f"impacts per {result.inputs.counted}", result.impacts, ""),
         ("largest impact speed", result.impact_speed, result.measured_in.speed),
         *(
             (f"{name}, rms acceleration", each, result.acceleration_unit(name))

@@ -96,17 +96,10 @@ def friction_measures(course: Course, number: int, periods: int) -> FrictionMeas
     """Return what a friction, by its number, does over a motion that spans some periods."""
     machine, nodes = course.modes.system.machine, course.nodes
     sticking = while_status(course, len(machine.stiffness) + number, (STICK,))
-    speeds = abs(nodes.states @ machine.friction_rate[number])
-    sliding = float(nodes.weights @ np.where(sticking[nodes.rows], 0.0, speeds))
-    lost = float(machine.kinetic[number]) * sliding
+    rates = np.where(sticking[nodes.rows], 0.0, nodes.states @ machine.friction_rate[number])
     name = course.modes.system.layout.frictions[number]
-    lost += float(
-        nodes.weights
-        @ (
-            curve_forces(course, "frictions", name, nodes.rows, nodes.states)
-            * (nodes.states @ machine.friction_rate[number])
-        )
-    )
+    curve = curve_forces(course, "frictions", name, nodes.rows, nodes.states)
+    lost = float(nodes.weights @ (machine.kinetic[number] * abs(rates) + curve * rates))
     stick = float(durations(course)[sticking].sum() / course.duration)
     return FrictionMeasures(lost / periods, lost / course.duration, stick)
 

@@ -22,6 +22,7 @@ from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.signals import read
 from trimmer.response.flows import flow_of
+from trimmer.response.periodic.pace import pace_of
 from trimmer.response.results.response import MotionKind
 from trimmer.response.simulation.switching import switching
 from trimmer.runners.runner import Runner
@@ -83,7 +84,7 @@ class GridWork:
 
     def _driven(self, mechanism: Mechanism) -> GridMotion | None:
         flow = flow_of(mechanism)
-        settled = settle(flow, flow.rest(), self.most_periods)
+        settled = settle(flow, flow.rest(), self.most_periods * pace_of(flow.subject))
         measures = measures_of_settled(flow, settled)
         if measures is None:
             return None

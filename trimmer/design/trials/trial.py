@@ -1,7 +1,7 @@
 """What a mechanism or a loop with some other numbers does, cheaply enough for hundreds of trials."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -30,6 +30,7 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import flow_of
+from trimmer.response.periodic.pace import pace_of
 from trimmer.response.results.response import MotionKind
 from trimmer.response.simulation.switching import Switching, switching
 
@@ -145,24 +146,30 @@ class TrialWork:
         return Trial(values, kind, None, every)
 
     def _by_itself(self, values: tuple[float, ...], flow: Flow) -> Trial:
-        """Return what a machine without a drive does: over a period of its own, or where it rests."""
+        """Return what a machine without a drive does: over a period of its own, some returns, or at rest."""
         found = came_to(flow, flow.rest())
-        kind, course, orbit = found.kind, found.course, found.orbit
-        if course is None or kind not in (MotionKind.REST, MotionKind.PERIODIC):
-            return self._failed(values)
-        measures, count = Measures(course, flow, 1, 1), None if orbit is None else 1
-        return Trial(
-            values, kind, count, tuple((each, measured(measures, each, count)) for each in self.asked)
-        )
+        if found.course is None:
+            return replace(self._failed(values), kind=found.kind)
+        measures, count = Measures(found.course, flow, 1, found.returns), None if found.orbit is None else 1
+        return Trial(values, found.kind, count, self._every(flow, found.kind, measures, count))
 
     def _measured(self, values: tuple[float, ...], flow: Flow) -> Trial:
-        settled = settle(flow, flow.rest(), self.most_periods)
+        settled = settle(flow, flow.rest(), self.most_periods * pace_of(flow.subject))
         measures = measures_of_settled(flow, settled)
         if measures is None:
             return self._failed(values)
         count = None if settled.orbit is None else settled.orbit.period_count
-        found = tuple((each, measured(measures, each, count)) for each in self.asked)
-        return Trial(values, settled.kind, count, found)
+        return Trial(values, settled.kind, count, self._every(flow, settled.kind, measures, count))
+
+    def _every(
+        self, flow: Flow, kind: MotionKind, measures: Measures, count: int | None
+    ) -> tuple[tuple[MeasureOfPart, float], ...]:
+        """Return all that is asked; where nothing moves, and no wave does, sizes are 0 and no rounding."""
+        still = kind is MotionKind.REST and not flow.modes.system.layout.orders
+        sizes = (Measure.STROKE, Measure.RMS_ACCELERATION) if still else ()
+        return tuple(
+            (each, 0.0 if each.measure in sizes else measured(measures, each, count)) for each in self.asked
+        )
 
 
 def measures_of_settled(flow: Flow, settled: Settled) -> Measures | None:

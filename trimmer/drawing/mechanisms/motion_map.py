@@ -95,7 +95,7 @@ def _draw_line(
         name, unit = next(iter(outputs.items()))
         name_axis(axes.yaxis, f"{name}, peak to peak", unit)
     else:
-        name_axis(axes.yaxis, f"impacts per {'drive ' if result.inputs.driven else ''}period", "")
+        name_axis(axes.yaxis, f"impacts per {result.inputs.counted}", "")
     axes.grid(alpha=0.3)
     name_axis(axes.xaxis, result.places[0], result.units[0])
 
