@@ -17,9 +17,8 @@ from trimmer.design import (
 )
 from trimmer.design.specification.design_file import design_file_of_text
 from trimmer.design.trials.trial import TrialWork, all_measures
+from trimmer.uncertainty import SampleSettings, study_samples
 from trimmer.uncertainty.sample_file import sample_file_of_text
-from trimmer.uncertainty.sample_inputs import SampleSettings
-from trimmer.uncertainty.study import study_samples
 
 AXIS = """
 [bodies]
