@@ -28,7 +28,7 @@ WITH_JSON = {
 NOT_SEEN = re.compile(
     r"(.*\.)?(families|faults|gaps|meetings|not_found|undecided|weak)\[\]\..*|(motions\[\]\.)?spectrum\..*"
     r"|waveforms_left_out|contacts\.NAME\.completed_chatters|(motions\[\]\.)?outputs\.NAME\.(peaks|own_frequency|multiples)"
-    r"|(motions\[\]\.)?swings.*"
+    r"|(motions\[\]\.)?(swings|slowing).*"
 )
 """Documented keys of what these calls have none of."""
 MOST_LINES = 40

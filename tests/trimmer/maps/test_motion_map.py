@@ -10,7 +10,6 @@ from matplotlib.figure import Figure
 
 from tests.quick import quick
 from tests.trimmer.maps.machines import impact_oscillator, linear_oscillator
-from tests.trimmer.response.mechanisms import example
 from trimmer import Mechanism, MotionKind, Pin, Play, SerialRunner, Stop, TrimmerError, motion_map, respond
 from trimmer.contact.flow import MechanismFlow
 from trimmer.errors import MapError, MechanismError
@@ -154,19 +153,6 @@ def test_what_is_not_there_is_not_asked_for() -> None:
     found = motion_map(replace(linear_oscillator(), outputs={}), {"frequency": [1.0]}, runner=SERIAL)
     with pytest.raises(MapError, match="no output"):
         _ = found.stroke
-
-
-def test_a_block_on_a_belt_sticks_and_slips_below_the_speed_that_friction_gives_it() -> None:
-    """In closed form, m = k = 1: slips begin at the static force with the belt's speed.
-
-    Above that speed it slides for ever about the kinetic force, from rest with its amplitude.
-    """
-    speeds, static, kinetic = [0.1, 0.32, 0.54, 1.2], [1.0, 1.5], 0.5
-    places = {"pins.belt.velocity": speeds, "frictions.rubbing.static": static}
-    found = motion_map(example("block-on-belt"), places, runner=SERIAL)
-    slips = [[np.hypot(most - kinetic, v) if v < kinetic else kinetic for v in speeds] for most in static]
-    np.testing.assert_allclose(found.peak_to_peak["block"], 2 * np.array(slips), rtol=1e-9)
-    assert all(cell.motions[0].kind is MotionKind.PERIODIC for cell in found.cells)
 
 
 def test_values_are_set_in_whatever_order_they_fit() -> None:
