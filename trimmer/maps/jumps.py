@@ -58,6 +58,8 @@ def jumps(
     changes = abs(np.diff(shares, axis=0)).max(axis=1)
     found = []
     for at in np.flatnonzero(changes > LEAST).tolist():
+        if not at and plateaus[0].kind is MotionKind.UNDECIDED:
+            continue  # What is left of the start dies out.
         highest = changes[at] >= changes[max(at - 1, 0) : at + 2].max()
         if highest and any(plateau.kind in CALM for plateau in plateaus[at : at + 2]):
             chosen = int(np.argmax(abs(shares[at + 1] - shares[at])))

@@ -41,7 +41,8 @@ class Plateau:
 def dwell(flow: Flow, begin: Instant, periods: int) -> tuple[Plateau, Instant]:
     """Go on for some drive periods, at least 2; returns what was measured, and where the motion ends.
 
-    Where it repeats to ``STEADY`` over the second half, one of its periods stands for all.
+    Where it repeats to ``STEADY`` over the second half, the last period stands for all. So it does where it
+    repeats but for an advance, to which all that is left of the start would add up.
     """
     half = periods // 2
     first = flow.strobe(begin, periods - half)
@@ -52,7 +53,8 @@ def dwell(flow: Flow, begin: Instant, periods: int) -> tuple[Plateau, Instant]:
     kind, count = _kind(flow, states, first.end, second.end, half)
     repeats = count or 1
     apart = abs(states[-1 - half + repeats :] - states[-1 - half : -repeats]) / strobed_sizes(states)
-    measured = repeats if apart.max() < STEADY else half - half % repeats
+    advances = count is not None and flow.shifts > 0
+    measured = repeats if advances or apart.max() < STEADY else half - half % repeats
     start = first.end if measured == half else flow.strobe(first.end, half - measured).end
     course = flow.course(start, measured)
     speed = float(flow.impact_speeds(course).max(initial=0.0))

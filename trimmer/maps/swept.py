@@ -19,6 +19,7 @@ from trimmer.messages import there_is
 from trimmer.motion.chosen import SIZES
 from trimmer.response.flows import flow_of
 from trimmer.response.periodic.pace import periods_of
+from trimmer.response.results.response import MotionKind
 from trimmer.showing.drawn import Drawn, drawn
 from trimmer.showing.shown import Shown, Tabular, counted
 from trimmer.showing.table import Column, Table
@@ -133,7 +134,12 @@ class Sweep(Tabular, Drawn):
     def _differing(self, name: str) -> Iterator[Hysteresis]:
         if not self.back:
             return
-        there, again = ({point.value: point.peak_to_peak(name) for point in leg} for leg in self.legs())
+        # At the first value what is left of the start is no other motion.
+        begun = self.points[:1] if self.points[0].motion.kind is MotionKind.UNDECIDED else ()
+        there, again = (
+            {point.value: point.peak_to_peak(name) for point in leg if point not in begun}
+            for leg in self.legs()
+        )
         values = sorted(set(there) & set(again))
         apart = {value: abs(there[value] - again[value]) for value in values}
         least = APART * self._largest(name)

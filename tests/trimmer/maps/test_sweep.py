@@ -8,7 +8,18 @@ import numpy as np
 import pytest
 
 from tests.trimmer.response.mechanisms import example
-from trimmer import Body, Drive, Feedback, Output, Saturation, Stop, TrimmerError, respond, simulate
+from trimmer import (
+    Body,
+    Drive,
+    Feedback,
+    MotionKind,
+    Output,
+    Saturation,
+    Stop,
+    TrimmerError,
+    respond,
+    simulate,
+)
 from trimmer.maps import sweep
 from trimmer.mechanism import Force, Link, Mechanism, Wall
 
@@ -70,9 +81,13 @@ def test_what_is_varied_without_effect_leaves_one_motion(periods: int, hum: floa
 
 
 def test_what_is_carried_along_is_measured_without_its_advance() -> None:
-    swept = sweep(example("conveyor"), "forces.exciter.amplitude", 200.0, 210.0, steps=1, periods=400)
+    swept = sweep(
+        example("conveyor"), "forces.exciter.amplitude", 200.0, 210.0, steps=2, periods=80, back=True
+    )
+    assert (swept.jumps, swept.hysteresis) == ((), ())
+    assert swept.points[0].motion.kind is MotionKind.UNDECIDED
     settled = respond(example("conveyor").with_value("forces.exciter.amplitude", 210.0)).motion
-    last = swept.points[-1].motion
+    last = swept.points[2].motion
     assert last.kind is settled.kind
     for name, found in last.outputs.items():
         assert found.advance == pytest.approx(settled.advance[name], rel=1e-6, abs=1e-12)
