@@ -91,13 +91,13 @@ class Layout:
     @cached_property
     def kinds(self) -> tuple[slice, ...]:
         """The states of one kind each: displacements, velocities."""
-        count = len(self.coordinates)
-        return slice(0, count), slice(count, 2 * count)
+        return slice(0, len(self.coordinates)), *self.rates
 
     @property
     def rates(self) -> tuple[slice, ...]:
         """Those kinds that are rates of others."""
-        return self.kinds[1:]
+        count = len(self.coordinates)
+        return (slice(count, 2 * count),)
 
     @property
     def measured_between(self) -> bool:
