@@ -49,8 +49,8 @@ def balance_of_data(loop: MeasuredLoop, omega_range: tuple[float, float] | None)
             f"omega_range {lowest:.6g} to {highest:.6g} rad/s goes beyond the data, {data.ends[0]:.6g} to "
             f"{data.ends[1]:.6g} rad/s; nothing is known of the plant there"
         )
-    inside = data.omega[(data.omega > lowest) & (data.omega < highest)]
-    x = np.union1d(np.linspace(math.log(lowest), math.log(highest), EVEN), np.log(inside))
+    ends = math.log(lowest), math.log(highest)
+    x = np.union1d(np.linspace(*ends, EVEN), np.clip(np.log(data.omega), *ends))
     inverse, curve = MeasuredInverse(data), ElementCurve(element)
     found = [
         found_on_grid(inverse, curve, x[first : first + MOST_POINTS + 1])

@@ -42,7 +42,7 @@ def orbit_of_loop(problem: Return, shot: Shot, prediction: LimitCycle | None = N
 def _with_one_seam(course: Course) -> Course:
     """Return the motion of a period without what rounding puts at both its ends."""
     log, period = course.log, course.duration
-    before = 0 if log.mode[0] == log.mode[-1] else int((log.start <= SEAM * period).sum()) - 1
+    before = int((log.start <= SEAM * period).sum()) - 1
     if log.mode[before] != log.mode[-1]:
         return course
     log = Log._make(each[before:] for each in log)

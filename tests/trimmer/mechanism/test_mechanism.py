@@ -104,6 +104,11 @@ def test_what_is_no_finite_number_is_refused(number: object) -> None:
         ({"bodies": BODIES, "pins": {"p": Pin(3)}}, "name a body"),
         ({"bodies": BODIES, "outputs": {"y": {"a": 1.0}}}, r"give a trimmer\.mechanism\.Output"),
         ({"bodies": BODIES, "outputs": {"y": Output({"a": "1"})}}, r"outputs\.y\.a = '1': give a number"),
+        (
+            {"bodies": BODIES, "outputs": {"y": Output({"a": 1}, "rate")}},
+            r"y\.kind = 'rate': choose displacement",
+        ),
+        ({"bodies": BODIES, "controllers": [3]}, "controllers = .* must map names to controllers"),
         ({"bodies": BODIES, "start": {"a": 1.0}}, r"start\.a = 1\.0: give two numbers"),
         ({"bodies": BODIES, "start": {"a": (0.0, np.inf)}}, "must be finite"),
         ({"bodies": BODIES, "start": 3}, "start = 3: must map bodies"),

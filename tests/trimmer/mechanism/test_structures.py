@@ -148,7 +148,10 @@ REFUSED = [
     (WHOLE.replace('["u1", "u2"]', '["u1"]'), "line 4: structures.housing.coordinates"),
     (WHOLE.replace('["u1", "u2"]', '["u1", "u1"]'), '"u1" is there more than once'),
     (WHOLE.replace('["u1", "u2"]', '"u1"'), 'name each coordinate, as in ["u1", "u2"]'),
-    ('mass = "M.mtx"\nstiffness = "K.mtx"\n', "coordinates: missing; name the 2 rows of the matrices, as in"),
+    (
+        'mass = "M.mtx"\nstiffness = "K.mtx"\n',
+        'missing; name the 2 rows of the matrices, as in coordinates = ["u1", "u2"]',
+    ),
     (WHOLE + 'rotations = ["u3"]\n', "line 5: structures.housing.rotations"),
     (WHOLE + 'modes = "modes.csv"\n', 'structures.housing.mass = "M.mtx": the modes say it already'),
     ('modes = "other.csv"\n', 'line 2: structures.housing.modes = "other.csv"'),

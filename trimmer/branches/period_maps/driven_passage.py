@@ -100,15 +100,15 @@ class DrivenPassage:
 
     def shortest(self, part: str, phase: Phase) -> float:
         """Return how long the shortest phase of a kind lasts, or pauses, s; not finite if there is none."""
-        return float(np.concatenate(self._lengths(part, phase)).min(initial=np.inf))
+        return min(self._shortest(part, phase))
 
     def opens(self, part: str, phase: Phase) -> bool:
         """Say whether the shortest of them is a pause, in which a contact opens or what sticks slips."""
-        lasting, pausing = self._lengths(part, phase)
-        return bool(pausing.min(initial=np.inf) < lasting.min(initial=np.inf))
+        lasting, pausing = self._shortest(part, phase)
+        return pausing < lasting
 
-    def _lengths(self, part: str, phase: Phase) -> tuple[Reals, Reals]:
-        """Return how long the phases of a kind last, s, and how long the pauses between them."""
+    def _shortest(self, part: str, phase: Phase) -> tuple[float, float]:
+        """Return how long the shortest phase of a kind lasts, s, and the shortest pause between them."""
         starts, (before, after) = self._segments
         number = next(place for place, each in enumerate(self._parts) if each.name == part)
         statuses = self._parts[number].statuses(phase)
@@ -116,7 +116,8 @@ class DrivenPassage:
         changes = inside != was
         times, begins = starts[changes], inside[changes]
         lengths = np.diff(times, append=times[:1] + self.course.duration)
-        return lengths[begins], lengths[~begins]
+        lasting, pausing = (float(lengths[each].min(initial=np.inf)) for each in (begins, ~begins))
+        return lasting, pausing
 
     @property
     def grazed(self) -> tuple[str, ...]:

@@ -48,7 +48,7 @@ def asymptotic_rest(flow: Flow, course: Course, unit: float) -> Rest | None:
         size = float(np.linalg.norm(slip))
         errors.append(size)
         instant = after
-        if size <= TOLD * abs(instant.state[:count]).max():
+        if size <= TOLD * np.linalg.norm(instant.state[:count]):
             return _limit(flow, instant, last if last.any() else slip)
         last = slip
         if _shrinks(errors):
@@ -82,7 +82,7 @@ def runs_on(flow: Flow, instant: Instant) -> bool:
     if instant.state[layout.kinds[1]].any():
         return False
     mode, state, rates = _evenly(flow, instant)
-    still = not rates[layout.kinds[0]].any() and not rates[layout.kinds[1]].any()
+    still = not rates[: layout.kinds[1].stop].any()
     falls = any(each.row @ rates < 0 for each in mode.functions)
     return still and not falls and bool((abs(rates) > TOLD * abs(state)).any())
 
