@@ -51,7 +51,7 @@ def by_matching_real_parts(system: control.TransferFunction, share: float, count
 def by_floquet(orbits: Sequence[PeriodicOrbit], *, stable: bool) -> Confirmation:
     """Confirm that the exact orbits beside some limit cycles are all stable, or all unstable."""
     means = "the Floquet multipliers of the exact orbit" + "s" * (len(orbits) > 1)
-    return so(means, all(orbit.stable == stable for orbit in orbits))
+    return so(means, tuple(orbit.stable == stable for orbit in orbits))
 
 
 def by_waveform(

@@ -74,7 +74,7 @@ def answer(_: Evidence) -> Observed:
     """)
     yield so("friction counts for more than small play", rubbing / still > added)
     yield so("the action value for a long use", worst[4] < 0.2 * ACTION * np.sqrt(DAY / USE))
-    yield so("both speeds at each gap", all(a[4] > b[4] for a, b in zip(calm, usual, strict=True)))
+    yield so("both speeds at each gap", tuple(a[4] > b[4] for a, b in zip(calm, usual, strict=True)))
 
 
 @figure("future-felt")

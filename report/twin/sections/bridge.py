@@ -81,7 +81,7 @@ def side(known: Evidence) -> Observed:
     yield so(
         "bridge relative to motor in both models, at one phase of the pin, until the motion repeats or over "
         "220 drive periods: further apart than half of the gap",
-        all(0 < share < 1 for share in shares),
+        tuple(0 < share < 1 for share in shares),
     )
     yield so("the chaotic motion's share, over 220 drive periods", _between(shares[1], CHAOTIC_SHARE))
 

@@ -74,7 +74,7 @@ def over_gap(known: Evidence) -> Observed:
     without = known.orbits.friction
     yield so(
         "amplitude over gap, of all orbits that were followed",
-        all(_nears(each, without.stable.amplitude, without.unstable.amplitude) for each in loop.over_gap),
+        tuple(_nears(each, without.stable.amplitude, without.unstable.amplitude) for each in loop.over_gap),
     )
     yield so("gaps of both figures beside the folds", (folds[-1] > SMALL_GAP, 100 * folds[0] < LARGER_GAP))
 

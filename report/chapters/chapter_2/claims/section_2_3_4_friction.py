@@ -87,7 +87,7 @@ def characteristic(_: Evidence) -> Record:
     yield assertion(
         "heights of B, C, D and E",
         "the heights of B, C, D and E depend on the amplitude",
-        all(height.diff(A) != 0 for height in heights),
+        tuple(height.diff(A) != 0 for height in heights),
         rf"they are $\pm({sympy.latex(heights[0])})$",
         method="derivative of each height by the amplitude",
         certainty=Certainty.PROVEN,

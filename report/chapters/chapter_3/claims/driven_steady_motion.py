@@ -55,13 +55,13 @@ def has_odd_harmonics_only(evidence: Evidence) -> bool:
 def confirm_period(evidence: Evidence) -> Confirmation:
     """Confirm by the simulated runs that the steady motion repeats with the drive."""
     runs = evidence.motion.driven.runs
-    return so(f"{BY_LISTING}, {len(runs)} runs", all(run.repeat < SETTLED for run in runs))
+    return so(f"{BY_LISTING}, {len(runs)} runs", tuple(run.repeat < SETTLED for run in runs))
 
 
 def confirm_odd(evidence: Evidence) -> Confirmation:
     """Confirm by the simulated runs that the steady motion has odd harmonics only."""
     runs = evidence.motion.driven.runs
-    return so(f"{BY_LISTING}, {len(runs)} runs", all(run.mirror < SETTLED for run in runs))
+    return so(f"{BY_LISTING}, {len(runs)} runs", tuple(run.mirror < SETTLED for run in runs))
 
 
 def confirm_friction(evidence: Evidence) -> Confirmation:

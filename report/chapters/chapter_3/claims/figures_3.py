@@ -97,7 +97,7 @@ def spectrum_without_play(known: Evidence) -> Record:
     yield assertion(
         "peaks",
         "the three dominant peaks are the first, third and fifth harmonic",
-        all(largest(run) == {1, 3, 5} for run in runs),
+        tuple(largest(run) == {1, 3, 5} for run in runs),
         f"with {runs[1].force} N {three} µm; the next, the seventh, has {seventh:.1f} µm",
         method=AT_THE_DRIVE,
         second=driven.confirm_friction(known),

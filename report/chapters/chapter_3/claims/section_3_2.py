@@ -125,10 +125,10 @@ def second_table(_: Evidence) -> Record:
     yield assertion(
         "unequal differences",
         "they stay within the resolution: one bin from multiples of one drive frequency",
-        all(low <= high for low, high in ranges.values()),
+        tuple(low <= high for low, high in ranges.values()),
         f"the drive would be at {places}; within half a bin {fitting or 'none'} of the three fits",
         method="intervals of the drive's frequency, intersected over the five peaks",
-        second=so(search, all(a_drive_fits(row, float(peaks.BIN)) for row in measured.values())),
+        second=so(search, tuple(a_drive_fits(row, float(peaks.BIN)) for row in measured.values())),
     )
     yield text(f"""
         All cells but two are bins of {float(peaks.BIN):.4f} Hz to the last digit. In those two

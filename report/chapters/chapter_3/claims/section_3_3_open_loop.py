@@ -31,7 +31,7 @@ def odd_harmonics(known: Evidence) -> Record:
     yield assertion(
         "largest harmonics",
         "beside the fundamental the third and the fifth are the largest",
-        all(set(pair) == {3, 5} for pair in largest),
+        tuple(set(pair) == {3, 5} for pair in largest),
         f"third, fifth and seventh with {'; '.join(rows)}",
         method=driven.BY_LISTING,
         second=driven.confirm_play(known, EXPERIMENT_GAP),

@@ -53,7 +53,7 @@ def open_loop_repeats(known: Evidence) -> Confirmation:
     periods = [(run.output[:SAMPLES], run.output[SAMPLES:]) for run in runs]
     return so(
         f"exact simulation with {len(runs)} drives, of which the last two periods are alike",
-        all(change(first, second) <= REPEATS for first, second in periods),
+        tuple(change(first, second) <= REPEATS for first, second in periods),
     )
 
 

