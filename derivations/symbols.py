@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import sympy
 
+from derivations import assumed
 from derivations.dimensions import FORCE, LENGTH, MASS, NUMBER, TIME, Dimension
 
 
@@ -55,15 +56,15 @@ def _coordinate(name: str) -> sympy.Expr:
     return sympy.Function(name, real=True)(t)
 
 
-t = sympy.Symbol("t", real=True)
+t = assumed.real("t")
 s = sympy.Symbol("s")
-omega = sympy.Symbol("omega", positive=True)
-f = sympy.Symbol("f", positive=True)
-A = sympy.Symbol("A", positive=True)
+omega = assumed.positive("omega")
+f = assumed.positive("f")
+A = assumed.positive("A")
 
-m1, m2, m3, m4 = masses = sympy.symbols("m_1:5", positive=True)
-k1, k2, k3, k4, k5 = stiffnesses = sympy.symbols("k_1:6", nonnegative=True)
-c1, c2, c3, c4 = dampings = sympy.symbols("c_1:5", nonnegative=True)
+m1, m2, m3, m4 = masses = assumed.positive("m_1:5")
+k1, k2, k3, k4, k5 = stiffnesses = assumed.nonnegative("k_1:6")
+c1, c2, c3, c4 = dampings = assumed.nonnegative("c_1:5")
 q1, q2, q3, q4 = coordinates = tuple(_coordinate(f"q_{index}") for index in range(1, 5))
 u = _coordinate("u")
 

@@ -11,15 +11,16 @@ from functools import cache
 
 import sympy
 
+from derivations import assumed
 from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import A
 
-GAP = sympy.Symbol("g", positive=True)  # Total clearance, m
-GAMMA = sympy.Symbol("gamma", positive=True)
+GAP = assumed.positive("g")  # Total clearance, m
+GAMMA = assumed.positive("gamma")
 """M ω / D, a number: angular frequency times the load's time constant."""
-CONTACT = sympy.Symbol("phi_c", positive=True)
+CONTACT = assumed.positive("phi_c")
 """Phase of the impact, at which the load meets the other wall, rad."""
-SEPARATION = sympy.Symbol("phi_s", positive=True)
+SEPARATION = assumed.positive("phi_s")
 """Phase of the separation, beyond which the wall would have to pull, rad."""
 
 
@@ -36,7 +37,7 @@ def contact_force(side: int) -> sympy.Expr:
 @cache
 def separation_angle() -> sympy.Expr:
     """Return the phase in (0, π/2) at which the pushing force of the rising contact reaches zero, rad."""
-    tangent = sympy.Symbol("tangent", positive=True)
+    tangent = assumed.positive("tangent")
     force = sympy.expand(contact_force(-1) / (A * sympy.cos(THETA)))
     in_tangent = force.subs(sympy.sin(THETA), tangent * sympy.cos(THETA))
     return sympy.atan(sympy.solve(sympy.expand(in_tangent), tangent)[0])
@@ -140,7 +141,7 @@ def limits(towards: sympy.Expr) -> LoadLimit:
         towards: Limit of γ: 0 for friction-controlled, ∞ for inertia-controlled backlash.
     """
     angle = separation_angle()
-    delay = sympy.Symbol("tau", positive=True)
+    delay = assumed.positive("tau")
     ratio, flight = (
         expression.subs(phase, SEPARATION + delay).subs(SEPARATION, angle)
         for expression, phase in ((contact_ratio(), CONTACT), (free_flight(), THETA))

@@ -9,6 +9,7 @@ from functools import cache
 
 import sympy
 
+from derivations import assumed
 from derivations.elements.backlash import (
     CONTACT,
     GAMMA,
@@ -22,11 +23,11 @@ from derivations.elements.harmonics import odd_harmonic
 from derivations.elements.waveform import Segment, Waveform
 from derivations.symbols import A
 
-FLIGHT = sympy.Symbol("lambda", positive=True)  # Angle of free flight, rad
-CONTACT_ANGLE = sympy.Symbol("ell", positive=True)  # Angle of contact, π - λ, rad
-DECAY = sympy.Symbol("E", positive=True)
+FLIGHT = assumed.positive("lambda")  # Angle of free flight, rad
+CONTACT_ANGLE = assumed.positive("ell")  # Angle of contact, π - λ, rad
+DECAY = assumed.positive("E")
 """exp(-λ/γ): what is left at the impact of the load's velocity at separation."""
-IMPACT_VELOCITY = sympy.Symbol("v", positive=True)
+IMPACT_VELOCITY = assumed.positive("v")
 """Velocity of the load relative to the pin at the impact, over A ω."""
 
 MEANINGS = (

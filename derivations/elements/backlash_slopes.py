@@ -9,6 +9,7 @@ from functools import cache
 import sympy
 from sympy import cos, exp, pi, sin
 
+from derivations import assumed
 from derivations.algebra.unevaluated import product, total
 from derivations.elements.backlash import CONTACT, GAMMA, SEPARATION, free_flight
 from derivations.elements.backlash_closed_forms import general_fundamental
@@ -17,7 +18,7 @@ from derivations.elements.harmonics import evaluated
 from derivations.elements.waveform import THETA
 from derivations.symbols import A
 
-ELAPSED = sympy.Symbol("t", positive=True)  # Phase since separation, rad
+ELAPSED = assumed.positive("t")  # Phase since separation, rad
 TANGENT = sin(SEPARATION) / cos(SEPARATION)
 AFTER_EVALUATION = ((exp(-FLIGHT / GAMMA), DECAY), *MEANINGS)
 """What symbols stand for where an integral over the flight has brought in exp(-λ/γ)."""

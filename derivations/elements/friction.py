@@ -4,12 +4,13 @@ from functools import cache
 
 import sympy
 
+from derivations import assumed
 from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import A, omega
 
-FORCE = sympy.Symbol("F_c", positive=True)  # Coulomb friction force, N
-LEVEL = sympy.Symbol("L", positive=True)  # Output of a relay, in the unit of its output
-DAMPING = sympy.Symbol("d", positive=True)  # Coefficient of viscous friction, N s/m
+FORCE = assumed.positive("F_c")  # Coulomb friction force, N
+LEVEL = assumed.positive("L")  # Output of a relay, in the unit of its output
+DAMPING = assumed.positive("d")  # Coefficient of viscous friction, N s/m
 
 
 def relay_waveform(level: sympy.Expr = FORCE) -> Waveform:

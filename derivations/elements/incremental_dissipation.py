@@ -20,6 +20,7 @@ from itertools import product
 
 import sympy
 
+from derivations import assumed
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.symbols import t
 
@@ -72,7 +73,7 @@ def _residual(trimmer: LinearTrimmer) -> sympy.Expr:
     seconds = [_values(f"q{index}") for index, _ in enumerate(bodies)]
     firsts = [(a + d, b + e) for (a, b), (d, e) in zip(seconds, differences, strict=True)]
     coordinates = [body.coordinate for body in bodies]
-    forces = sympy.symbols(f"f_0:{len(bodies)}", real=True)
+    forces = assumed.real(f"f_0:{len(bodies)}")
     relative_accelerations = [
         _at(acceleration, coordinates, firsts) - _at(acceleration, coordinates, seconds) - force / body.mass
         for acceleration, force, body in zip(trimmer.accelerations, forces, bodies, strict=True)
@@ -95,7 +96,7 @@ def _residual(trimmer: LinearTrimmer) -> sympy.Expr:
 
 def _values(name: str) -> tuple[sympy.Symbol, sympy.Symbol]:
     """Return symbols for a displacement and its rate, the latter marked by a prime."""
-    return sympy.Symbol(name, real=True), sympy.Symbol(f"{name}'", real=True)
+    return assumed.real(name), assumed.real(f"{name}'")
 
 
 def _at(
@@ -111,7 +112,7 @@ def _friction_losses() -> tuple[sympy.Expr, ...]:
     """Return (s_a - s_b)(w_a - w_b) with s = sign(w), and any s between -1 and 1 where w is zero."""
     states = []
     for name in "ab":
-        speed, share = sympy.symbols(f"w_{name} p_{name}", positive=True)
+        speed, share = assumed.positive(f"w_{name} p_{name}")
         stuck = (1 - share) / (1 + share)  # takes every value between -1 and 1
         states.append(((1, speed), (-1, -speed), (stuck, sympy.Integer(0))))
     return tuple(

@@ -8,18 +8,19 @@ Engineering (1975), chapter 3.
 import sympy
 from sympy import asin, cos, pi, sin
 
+from derivations import assumed
 from derivations.elements.friction import LEVEL
 from derivations.elements.harmonics import HARMONIC
 from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import METRE, ONE, RADIAN, A, Quantity
 
-SLOPE = sympy.Symbol("kappa", positive=True)  # Output per input on the inclined part
-CORNER = sympy.Symbol("alpha", positive=True)  # Phase at which the rising input passes the threshold, rad
-FALL = sympy.Symbol("rho", real=True)
+SLOPE = assumed.positive("kappa")  # Output per input on the inclined part
+CORNER = assumed.positive("alpha")  # Phase at which the rising input passes the threshold, rad
+FALL = assumed.real("rho")
 """How long before the input's zero the falling output of a relay switches, rad; negative after it."""
-RATIO = sympy.Symbol("u", positive=True)  # Threshold over amplitude
-FALL_RATIO = sympy.Symbol("r", real=True)  # Threshold of the falling output over that of the rising one
-THRESHOLD = sympy.Symbol("Delta", positive=True)  # Threshold, in the unit of the input
+RATIO = assumed.positive("u")  # Threshold over amplitude
+FALL_RATIO = assumed.real("r")  # Threshold of the falling output over that of the rising one
+THRESHOLD = assumed.positive("Delta")  # Threshold, in the unit of the input
 
 TEXTBOOK_QUANTITIES = (
     Quantity(SLOPE, "slope of an element, output per input", ONE),

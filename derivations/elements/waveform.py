@@ -5,7 +5,9 @@ from functools import cache
 
 import sympy
 
-THETA = sympy.Symbol("theta", real=True)  # Phase of the input A sin θ, rad
+from derivations import assumed
+
+THETA = assumed.real("theta")  # Phase of the input A sin θ, rad
 
 
 @dataclass(frozen=True)

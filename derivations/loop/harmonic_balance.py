@@ -2,6 +2,7 @@
 
 import sympy
 
+from derivations import assumed
 from derivations.algebra.unevaluated import product, total
 from derivations.elements.backlash_closed_forms import friction_fundamental
 from derivations.elements.backlash_harmonics import CONTACT_ANGLE
@@ -10,9 +11,9 @@ from derivations.step import Formula
 from derivations.symbols import A
 
 ELEMENT, PLANT = sympy.symbols("N G")
-REAL_PARTS = sympy.symbols("n_p n_q G_p G_q", real=True)
+REAL_PARTS = assumed.real("n_p n_q G_p G_q")
 RESIDUAL, BY_ANGLE, BY_OMEGA = sympy.symbols("F F_ell F_omega")
-CHANGES = sympy.symbols("Delta_ell Delta_omega", real=True)
+CHANGES = assumed.real("Delta_ell Delta_omega")
 
 
 def loop_residual(element: sympy.Expr, plant: sympy.Expr) -> sympy.Expr:
@@ -134,7 +135,7 @@ def _cross(first: sympy.Symbol, second: sympy.Symbol) -> sympy.Expr:
 
 
 def _split(symbol: sympy.Symbol) -> sympy.Expr:
-    real, imaginary = sympy.symbols(f"{symbol}_r {symbol}_i", real=True)
+    real, imaginary = assumed.real(f"{symbol}_r {symbol}_i")
     return real + sympy.I * imaginary
 
 

@@ -2,12 +2,13 @@
 
 import sympy
 
+from derivations import assumed
 from derivations.algebra.unevaluated import total
 from derivations.elements.proven_step import Equality, ProvenStep
 from derivations.step import Formula
 
-CHANGE_OF_AMPLITUDE, CHANGE_OF_OMEGA, GROWTH = sympy.symbols("delta_A delta_omega sigma", real=True)
-SLOPES = sympy.symbols("X_A Y_A X_omega Y_omega", real=True)
+CHANGE_OF_AMPLITUDE, CHANGE_OF_OMEGA, GROWTH = assumed.real("delta_A delta_omega sigma")
+SLOPES = assumed.real("X_A Y_A X_omega Y_omega")
 
 
 def growth_rate() -> sympy.Expr:

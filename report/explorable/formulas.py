@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import sympy
 
+from derivations import assumed
 from derivations.elements.backlash import CONTACT, GAMMA, GAP, SEPARATION, general_waveform, separation_angle
 from derivations.elements.backlash_closed_forms import flight, general_fundamental
 from derivations.elements.backlash_harmonics import (
@@ -23,9 +24,9 @@ from derivations.linear_trimmer import LinearTrimmer
 from derivations.symbols import A, c2, k2, omega, s
 from derivations.transfer_steps import output_numerator, rubbing_numerator
 
-SHARE = sympy.Symbol("share", nonnegative=True)
+SHARE = assumed.nonnegative("share")
 """Share of the pin's velocity that acts on the bridge: 0 in the thesis's loop, 1 in the trimmer."""
-LOST = sympy.Symbol("lost", positive=True)  # 1 - exp(-λ/γ), computed without cancellation
+LOST = assumed.positive("lost")  # 1 - exp(-λ/γ), computed without cancellation
 
 
 @dataclass(frozen=True)
@@ -81,8 +82,8 @@ def _plant(derivation: LinearTrimmer, values: dict[sympy.Expr, sympy.Rational]) 
 def _over_numerator(name: str, divisor: sympy.Expr, dividend: sympy.Expr) -> Function:
     """Return a quotient of two polynomials in s at s = jω, and its derivative by ω."""
     real, imaginary = _parts(divisor), _parts(dividend)
-    below, above = sympy.symbols("P_r P_i", real=True), sympy.symbols("Q_r Q_i", real=True)
-    by_below, by_above = sympy.symbols("dP_r dP_i", real=True), sympy.symbols("dQ_r dQ_i", real=True)
+    below, above = assumed.real("P_r P_i"), assumed.real("Q_r Q_i")
+    by_below, by_above = assumed.real("dP_r dP_i"), assumed.real("dQ_r dQ_i")
     quotient = (above[0] + sympy.I * above[1]) / (below[0] + sympy.I * below[1])
     change = (by_above[0] + sympy.I * by_above[1] - quotient * (by_below[0] + sympy.I * by_below[1])) / (
         below[0] + sympy.I * below[1]

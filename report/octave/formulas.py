@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import sympy
 
+from derivations import assumed
 from derivations.elements.backlash import (
     CONTACT,
     GAP,
@@ -19,10 +20,10 @@ from derivations.elements.waveform import THETA, Waveform, segment_integral
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.symbols import A
 
-RATIO = sympy.Symbol("beta", positive=True)  # Total gap over the amplitude of the pin
-FLIGHT = sympy.Symbol("delta", positive=True)  # Angle of free flight, from separation to contact, rad
-STIFFNESS = sympy.Symbol("k", positive=True)  # Stiffness that makes a number of a friction term, N/m
-PIN, LOAD = sympy.symbols("x y", real=True)  # Position of the pin, and the load's position until now, m
+RATIO = assumed.positive("beta")  # Total gap over the amplitude of the pin
+FLIGHT = assumed.positive("delta")  # Angle of free flight, from separation to contact, rad
+STIFFNESS = assumed.positive("k")  # Stiffness that makes a number of a friction term, N/m
+PIN, LOAD = assumed.real("x y")  # Position of the pin, and the load's position until now, m
 
 
 @dataclass(frozen=True)

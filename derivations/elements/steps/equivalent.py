@@ -2,6 +2,7 @@
 
 import sympy
 
+from derivations import assumed
 from derivations.algebra.unevaluated import total
 from derivations.dimensions import NUMBER, Dimension
 from derivations.elements.backlash import GAP
@@ -63,7 +64,7 @@ def step() -> ProvenStep:
 
 
 def _friction_of_velocity() -> sympy.Expr:
-    velocity = sympy.Symbol("A_v", positive=True)
+    velocity = assumed.positive("A_v")
     return odd_harmonic(relay_waveform(), velocity, ONE).subs(velocity, omega * A)
 
 

@@ -2,6 +2,7 @@
 
 import sympy
 
+from derivations import assumed
 from derivations.algebra.unevaluated import product, total
 from derivations.elements.backlash_closed_forms import BEYOND_FUNDAMENTAL, swept
 from derivations.elements.friction import (
@@ -20,7 +21,7 @@ from derivations.step import Formula
 from derivations.symbols import A, omega
 
 ONE = sympy.Integer(1)
-VELOCITY_AMPLITUDE = sympy.Symbol("A_v", positive=True)  # Amplitude of a velocity, m/s
+VELOCITY_AMPLITUDE = assumed.positive("A_v")  # Amplitude of a velocity, m/s
 UP = "On the first half of the period:"
 COUNT = sympy.Symbol("m", integer=True, nonnegative=True)
 

@@ -3,6 +3,7 @@
 import sympy
 from sympy import cos, exp, pi, sin
 
+from derivations import assumed
 from derivations.algebra.unevaluated import product, total
 from derivations.elements.backlash import (
     CONTACT,
@@ -98,7 +99,7 @@ def _closed_velocity() -> sympy.Expr:
 
 
 def _positive_velocity() -> sympy.Expr:
-    past = sympy.Symbol("tau", positive=True)
+    past = assumed.positive("tau")
     weight = product(exp(-total(ELAPSED, -past) / GAMMA), sin(past))
     return product(1 / cos(SEPARATION), sympy.Integral(weight, (past, 0, ELAPSED)))
 

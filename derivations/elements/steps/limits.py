@@ -3,6 +3,7 @@
 import sympy
 from sympy import cos, exp, sin
 
+from derivations import assumed
 from derivations.algebra.unevaluated import total
 from derivations.elements.backlash import GAMMA, SEPARATION, limits, separation_angle
 from derivations.elements.backlash_closed_forms import (
@@ -19,7 +20,7 @@ from derivations.elements.proven_step import Equality, ProvenStep
 FRICTION = r"\lim_{\gamma \to 0}"
 INERTIA = r"\lim_{\gamma \to \infty}"
 _DECAY = exp(-FLIGHT / GAMMA)
-_DELAY = sympy.Symbol("tau", positive=True)
+_DELAY = assumed.positive("tau")
 
 
 def step() -> ProvenStep:

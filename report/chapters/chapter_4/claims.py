@@ -5,6 +5,7 @@ import math
 import numpy as np
 import sympy
 
+from derivations import assumed
 from derivations.dimensions import FORCE, LENGTH, MASS, TIME, dimension_of
 from derivations.elements import backlash
 from derivations.elements.waveform import THETA
@@ -39,11 +40,11 @@ from report.numbers.thesis import (
 )
 from trimmer import FrictionBacklash, InertiaBacklash
 
-b = sympy.Symbol("b", positive=True)
+b = assumed.positive("b")
 MORE_SAMPLES = 3997  # Samples of a period where Listing A.7 is held against the waveform
 ROUNDING = 1e-15
 VANISHING = 1e-9 * DRIVE_AMPLITUDE  # Gap that stands for no gap, m
-LOAD_MASS, LOAD_DAMPING = sympy.symbols("M D", positive=True)
+LOAD_MASS, LOAD_DAMPING = assumed.positive("M D")
 PRINTED_GAMMA, PRINTED_ANGLE = "634.6652", "0.0016"
 SAME_BLOCKS = "own and built-in block of friction-controlled backlash give the same output"
 NO_GAP = "for b = 0 the output of the inertia-controlled block is its input"

@@ -9,6 +9,7 @@ import sympy
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
+from derivations import assumed
 from derivations.elements.backlash import CONTACT, GAMMA, SEPARATION, contact_force, contact_ratio
 from derivations.elements.waveform import THETA
 from derivations.symbols import A
@@ -20,7 +21,7 @@ STEPS = 20_000  # Steps of a period of the pin that is traced through its play
 
 def free_speed(mass: sympy.Symbol, damping: sympy.Symbol) -> sympy.Expr:
     """Return v/v0 of a free load, the solution of M v' + D v = 0."""
-    time, speed = sympy.Symbol("t", positive=True), sympy.Function("v")
+    time, speed = assumed.positive("t"), sympy.Function("v")
     flight = sympy.Eq(mass * speed(time).diff(time) + damping * speed(time), 0)
     return sympy.dsolve(flight, speed(time), ics={speed(0): 1}).rhs
 

@@ -4,6 +4,7 @@ import control
 import numpy as np
 import sympy
 
+from derivations import assumed
 from derivations.symbols import s
 from report.numbers.linear_numbers import LinearNumbers
 from report.numbers.thesis import DRIVE_AMPLITUDE, DRIVE_FREQUENCY, DRIVE_OMEGA
@@ -25,7 +26,7 @@ def fraction_of(numbers: LinearNumbers) -> tuple[sympy.Expr, sympy.Expr]:
 
 def on_the_imaginary_axis(numbers: LinearNumbers) -> list[float]:
     """Return Im G, up to a positive factor, at every frequency above zero where Re G(jω) is zero."""
-    frequency = sympy.Symbol("omega", real=True)
+    frequency = assumed.real("omega")
     above, below = fraction_of(numbers)
     product = sympy.expand((above * below.subs(s, -s)).subs(s, sympy.I * frequency))
     real_part = sympy.Poly(sympy.re(product), frequency)

@@ -3,6 +3,7 @@
 import mpmath
 import sympy
 
+from derivations import assumed
 from derivations.equations_of_motion import euler_lagrange
 from derivations.linear_trimmer import LinearTrimmer
 from derivations.symbols import A, accelerations, coordinates, f, masses, t, velocities
@@ -45,7 +46,7 @@ def zeros_in_turn(expression: sympy.Expr, phase: sympy.Symbol) -> set[sympy.Expr
 
 def least_amplitude_with_contact() -> float:
     """Return the amplitude over the gap from which there is a phase of contact, where 1 - b/A is a sine."""
-    amplitude = sympy.Symbol("a", positive=True)
+    amplitude = assumed.positive("a")
     return float(sympy.solve(sympy.Eq(1 - 1 / amplitude, -1), amplitude)[0])
 
 

@@ -7,6 +7,7 @@ import control
 import numpy as np
 import sympy
 
+from derivations import assumed
 from derivations.elements.waveform import THETA, Segment
 from derivations.state_space import output_row
 from derivations.symbols import A, c2, coordinates, s, u, u_dot, velocities
@@ -21,8 +22,8 @@ from report.numbers.independent.waveforms import integral as quadrature_integral
 from report.numbers.thesis import LIMIT_CYCLE_OMEGA
 from trimmer import linear_model, response_at
 
-b = sympy.Symbol("b", positive=True)
-tau = sympy.Symbol("t", real=True)
+b = assumed.positive("b")
+tau = assumed.real("t")
 VALUES = {A: sympy.Rational(17, 10), b: sympy.Rational(3, 7)}  # Where the integrals are found numerically too
 
 

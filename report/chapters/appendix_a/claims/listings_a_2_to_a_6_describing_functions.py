@@ -2,6 +2,7 @@
 
 import sympy
 
+from derivations import assumed
 from derivations.elements.backlash import (
     CONTACT,
     GAMMA,
@@ -63,7 +64,7 @@ def formula_part() -> ClaimPart:
         assume=REACHED,
         second=by_quadrature(derived, quadrature_gain(waveform, A, values), values),
         printed_form=FORMULA_FORM,
-        derived_form=f"N = {latex(derived.subs(GAP, sympy.Symbol('b', positive=True)))}",
+        derived_form=f"N = {latex(derived.subs(GAP, assumed.positive('b')))}",
         item="formula of N in Listings A.2, A.3 and A.6",
     )
 

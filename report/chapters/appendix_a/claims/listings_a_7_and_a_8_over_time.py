@@ -6,6 +6,7 @@ import re
 import numpy as np
 import sympy
 
+from derivations import assumed
 from derivations.elements.backlash import GAP, inertia_waveform
 from derivations.elements.waveform import THETA
 from derivations.symbols import A
@@ -46,7 +47,7 @@ FRICTION_LINES = (
     *("end", "end", "end", "end"),
 )
 """Listing A.7, line by line."""
-b = sympy.Symbol("b", positive=True)
+b = assumed.positive("b")
 SINE = A * sympy.sin(THETA)
 BACK = total(product(-A, THETA), sympy.pi * A + b / 2)
 LISTED = (total(A * THETA, -b / 2), total(SINE, b / 2), BACK, total(SINE, -b / 2))
@@ -67,7 +68,7 @@ def friction_parts(place: str = "") -> tuple[ClaimPart, ...]:
 
     ``place`` stands before the lines' numbers in the labels.
     """
-    distance = sympy.Symbol("d", positive=True)
+    distance = assumed.positive("d")
     values = {PIN: 0.7, GAP: 0.4, distance: 0.25}
     inside = PIN - GAP / 2 + GAP * distance / (1 + distance)
     rows = (

@@ -4,6 +4,7 @@ import math
 
 import sympy
 
+from derivations import assumed
 from derivations.equations_of_motion import euler_lagrange
 from derivations.symbols import A, accelerations, coordinates, f, masses, t, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
@@ -65,7 +66,7 @@ def free_body_diagram(known: Evidence) -> Record:
 
 @claim("fig-2.2")
 def eccentric_pin(_: Evidence) -> Record:
-    angle = sympy.Symbol("theta", real=True)
+    angle = assumed.real("theta")
     turn = sympy.Matrix([[sympy.cos(angle), sympy.sin(angle)], [-sympy.sin(angle), sympy.cos(angle)]])
     across = (turn * sympy.Matrix([0, A]))[0]
     stroke = sympy.maximum(across, angle) - sympy.minimum(across, angle)

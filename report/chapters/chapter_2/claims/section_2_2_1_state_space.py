@@ -2,6 +2,7 @@
 
 import sympy
 
+from derivations import assumed
 from derivations.state_space import output_row
 from derivations.symbols import coordinates, masses, u, u_dot, velocities
 from report.chapters.chapter_2.claims import trimmer_printed
@@ -54,7 +55,7 @@ def general_form(known: Evidence) -> Record:
 
 @claim("eq-2.11")
 def first_order_equations(known: Evidence) -> Record:
-    x1, x2, x3, x4, x5, x6, x7, x8 = states = sympy.symbols("x_1:9", real=True)
+    x1, x2, x3, x4, x5, x6, x7, x8 = states = assumed.real("x_1:9")
     m1, m2, m3, m4 = masses
 
     def minus(coefficient: sympy.Expr, state: sympy.Symbol) -> sympy.Expr:

@@ -4,6 +4,7 @@ import control
 import numpy as np
 import sympy
 
+from derivations import assumed
 from report.chapters.second_ways import EXACTLY
 from report.judging.comparisons.printed import product, total
 from report.judging.parts import assertion, close, expression, same
@@ -75,10 +76,10 @@ def filtering_hypothesis(known: Evidence) -> Record:
 
 @claim("txt-2.3.2-van-der-pol")
 def van_der_pol(_: Evidence) -> Record:
-    alpha, position, velocity = sympy.symbols("alpha x v", real=True)
+    alpha, position, velocity = assumed.real("alpha x v")
     acceleration = -alpha * (position**2 - 1) * velocity - position
     gained = sympy.expand(velocity * (acceleration + position))
-    time, radius, turning = sympy.symbols("t A omega", positive=True)
+    time, radius, turning = assumed.positive("t A omega")
     circle = radius * sympy.cos(time)
     undamped = acceleration.subs({alpha: 0, position: circle, velocity: circle.diff(time)})
     yield assertion(

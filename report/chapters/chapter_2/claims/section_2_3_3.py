@@ -2,6 +2,7 @@
 
 import sympy
 
+from derivations import assumed
 from derivations.elements.backlash import GAMMA, separation_angle
 from derivations.elements.waveform import THETA, Segment, Waveform
 from derivations.symbols import A, omega, t
@@ -15,7 +16,7 @@ from report.numbers.independent.waveforms import sampled_gain
 from report.numbers.thesis import DRIVE_OMEGA
 from trimmer import FrictionBacklash, ViscousBacklash
 
-COSINE_PART, SINE_PART = sympy.Symbol("a_1", real=True), sympy.Symbol("b_1", positive=True)
+COSINE_PART, SINE_PART = assumed.real("a_1"), assumed.positive("b_1")
 MODULUS, ANGLE = sympy.sqrt(COSINE_PART**2 + SINE_PART**2), sympy.atan(COSINE_PART / SINE_PART)
 """Magnitude and phase of the first harmonic, equations 2.32 and 2.33."""
 MEAN, COSINES, SINES = sympy.Symbol("a_0"), sympy.symbols("a_1:3"), sympy.symbols("b_1:3")
@@ -191,7 +192,7 @@ def phase(_: Evidence) -> Record:
 
 @claim("eq-2.34")
 def ratio_of_signals(_: Evidence) -> Record:
-    modulus, angle = sympy.symbols("M phi", positive=True)
+    modulus, angle = assumed.positive("M phi")
     printed = modulus * sympy.sin(omega * t + angle) / (A * sympy.sin(omega * t))
     derived = modulus / A * sympy.exp(sympy.I * angle)
     phasors = modulus * sympy.exp(sympy.I * (omega * t + angle)) / (A * sympy.exp(sympy.I * omega * t))

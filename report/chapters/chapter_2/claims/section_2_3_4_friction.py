@@ -6,6 +6,7 @@ The thesis's b is half of the total gap in these places.
 import numpy as np
 import sympy
 
+from derivations import assumed
 from derivations.elements.backlash import GAP, friction_waveform, limits
 from derivations.elements.waveform import THETA, Segment, Waveform, segment_integral
 from derivations.symbols import A, omega
@@ -20,7 +21,7 @@ from report.numbers.independent.symbolic import first_root
 from report.numbers.independent.waveforms import Values
 from trimmer import FrictionBacklash, ViscousBacklash
 
-b = sympy.Symbol("b", positive=True)
+b = assumed.positive("b")
 REACHED = sympy.Gt(A, b)
 VALUES = {A: sympy.Rational(17, 10), b: sympy.Rational(3, 7)}
 WAVEFORM = friction_waveform(2 * b)
@@ -49,7 +50,7 @@ def motor_and_load(_: Evidence) -> Record:
     yield expression(
         "velocity of a load without mass that is let go",
         sympy.Integer(0),
-        without_mass.diff(sympy.Symbol("tau", positive=True)),
+        without_mass.diff(assumed.positive("tau")),
         r"\dot y",
         second=same("the place where the pin turns round", without_mass.subs(GAP, 2 * b), RESTING.value),
     )
@@ -208,7 +209,7 @@ def first_segment(_: Evidence) -> Record:
 
 @claim("txt-2.3.4-contact-angle")
 def contact_angle(_: Evidence) -> Record:
-    sine = sympy.Symbol("s", real=True)
+    sine = assumed.real("s")
     derived = sympy.asin(first_root(A * sine + b - (A - b), sine))
     yield expression("", CONTACT, derived, r"\gamma", assume=REACHED)
     yield text(r"""

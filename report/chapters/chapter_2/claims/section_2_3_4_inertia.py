@@ -3,6 +3,7 @@
 import control
 import sympy
 
+from derivations import assumed
 from derivations.elements.backlash import (
     CONTACT,
     GAP,
@@ -24,7 +25,7 @@ from report.numbers.evidence import Evidence
 from report.numbers.independent.waveforms import quadrature_gain, sampled_gain
 from trimmer import InertiaBacklash
 
-b = sympy.Symbol("b", positive=True)
+b = assumed.positive("b")
 WAVEFORM, IN_GAP = inertia_waveform(b), inertia_waveform()
 VELOCITY_ITEM = "Aω cos(ωnπ) = Aω, velocity at the separation of inertia-controlled backlash"
 THIRD_PIECE_ITEM = "third piece without b/2, output of inertia-controlled backlash"
@@ -147,7 +148,7 @@ def piece_form(index: int, value: str) -> str:
 def contact_equation(_: Evidence) -> Record:
     flying, following = WAVEFORM.segments[:2]
     meeting = sympy.expand((flying.value - following.value).subs(THETA, CONTACT) / A)
-    limit = limits(sympy.oo).ratio.subs(sympy.Symbol("tau", positive=True), CONTACT) - b / A
+    limit = limits(sympy.oo).ratio.subs(assumed.positive("tau"), CONTACT) - b / A
     means = "the limit of the general element for M/D to infinity"
     second = same(means, limit, meeting)
     form = r"\phi - \sin(\phi) - \frac{b}{A} = 0"
@@ -196,7 +197,7 @@ def imaginary_signs(_: Evidence) -> Record:
     )
     friction = sympy.factor(friction_waveform().cosine_coefficient() / A)
     # An amplitude above half the gap, so that the sign shows.
-    beyond = sympy.factor(friction.subs(A, GAP / 2 + sympy.Symbol("d", positive=True)))
+    beyond = sympy.factor(friction.subs(A, GAP / 2 + assumed.positive("d")))
     library = control.friction_backlash_nonlinearity(1.0)
     negative = all(library.describing_function(each).imag < 0 for each in AMPLITUDES)
     yield assertion(

@@ -5,6 +5,7 @@ from functools import cache
 import numpy as np
 import sympy
 
+from derivations import assumed
 from derivations.dimensions import FORCE, LENGTH, MASS, TIME, dimension_of
 from derivations.elements.backlash import (
     CONTACT,
@@ -142,9 +143,9 @@ def separation(_: Evidence) -> Record:
 
 @claim("eq-2.45")
 def ratio(_: Evidence) -> Record:
-    mass, damping = sympy.symbols("M D", positive=True)
+    mass, damping = assumed.positive("M D")
     printed = mass / damping * omega
-    position, time = sympy.Function("y"), sympy.Symbol("t", real=True)
+    position, time = sympy.Function("y"), assumed.real("t")
     equation = mass * position(time).diff(time, 2) + damping * position(time).diff(time)
     in_phase = equation.subs(position(time), position(omega * time)).doit().subs(omega * time, THETA).doit()
     second, first = (in_phase.coeff(position(THETA).diff(THETA, order)) for order in (2, 1))

@@ -3,6 +3,7 @@
 import numpy as np
 import sympy
 
+from derivations import assumed
 from derivations.elements.friction import FORCE, friction_waveform, relay_waveform
 from derivations.elements.waveform import THETA, segment_integral
 from derivations.elements.waveform import describing_function as derived_function
@@ -21,7 +22,7 @@ from trimmer import CoulombFriction, Relay
 
 SINE, COSINE = sympy.sin(THETA), sympy.cos(THETA)
 VALUES = {FORCE: sympy.Rational(3, 5), A: sympy.Rational(7, 4)}
-SPEED = sympy.Symbol("v", real=True)
+SPEED = assumed.real("v")
 RELAY, FRICTION = relay_waveform(), friction_waveform()
 HALVES = one_line(
     r"""

@@ -6,6 +6,7 @@ import control
 import numpy as np
 import sympy
 
+from derivations import assumed
 from report.judging.claim import ClaimPart
 from report.judging.comparisons.digits import CloseNumbers
 from report.judging.comparisons.printed import product, total
@@ -28,7 +29,7 @@ from report.numbers.textbook_loops import (
 )
 from trimmer import FrictionBacklash, response_at
 
-REAL_N, IMAGINARY_N, REAL_G, IMAGINARY_G = sympy.symbols("N_r N_i G_r G_i", real=True)
+REAL_N, IMAGINARY_N, REAL_G, IMAGINARY_G = assumed.real("N_r N_i G_r G_i")
 LOOP = sympy.expand((REAL_N + sympy.I * IMAGINARY_N) * (REAL_G + sympy.I * IMAGINARY_G))
 POINT = {REAL_N: 0.3, IMAGINARY_N: -1.7, REAL_G: 2.1, IMAGINARY_G: 0.9}
 AT_POINT = complex(POINT[REAL_N], POINT[IMAGINARY_N]) * complex(POINT[REAL_G], POINT[IMAGINARY_G])
@@ -242,7 +243,7 @@ def side_of_the_crossing() -> ClaimPart:
 
     N and G and their slopes by amplitude and by frequency are any complex numbers with N G = -1.
     """
-    real, imaginary = sympy.symbols("N_r p r", real=True), sympy.symbols("N_i q s", real=True)
+    real, imaginary = assumed.real("N_r p r"), assumed.real("N_i q s")
     gain, gain_slope, linear_slope = (x + sympy.I * y for x, y in zip(real, imaginary, strict=True))
     by_amplitude, by_frequency = -gain_slope / gain, gain * linear_slope
     loeb = sympy.im(sympy.expand_complex(sympy.conjugate(by_amplitude) * by_frequency))

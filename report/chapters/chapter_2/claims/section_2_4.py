@@ -3,6 +3,7 @@
 import numpy as np
 import sympy
 
+from derivations import assumed
 from derivations.dimensions import FORCE, LENGTH, TIME, Dimension, dimension_of
 from derivations.elements.backlash import friction_waveform
 from derivations.elements.friction import FORCE as COULOMB
@@ -24,7 +25,7 @@ from report.numbers.independent.waveforms import quadrature_gain
 from trimmer import CoulombFriction, FrictionBacklash
 from trimmer.elements import SumOfElements
 
-b = sympy.Symbol("b", positive=True)
+b = assumed.positive("b")
 PLANT, FILTER, BACKLASH, FRICTION = sympy.symbols("G_m G_g N_r N_f")
 SAMPLES = 4096
 FRICTION_ITEM = "4F_c/(Aπ), Coulomb friction in the equivalent nonlinearity"
@@ -126,7 +127,7 @@ def friction_part(_: Evidence) -> Record:
 
 @claim("txt-2.4-amplitude-relation")
 def amplitude_relation(_: Evidence) -> Record:
-    velocity, integrator = sympy.Symbol("A_v", positive=True), 1 / (sympy.I * omega)
+    velocity, integrator = assumed.positive("A_v"), 1 / (sympy.I * omega)
     integrated = sympy.Abs(velocity * sympy.exp(sympy.I * THETA) * integrator)
     printed = velocity * sympy.Abs(integrator)
     yield expression(

@@ -3,8 +3,7 @@
 from decimal import Decimal
 from fractions import Fraction
 
-import sympy
-
+from derivations import assumed
 from derivations.state_space import output_row
 from derivations.symbols import coordinates, velocities
 from report.chapters.chapter_2.claims.trimmer_printed import output_matrix
@@ -29,7 +28,7 @@ FEWEST, MOST = 1000, 4000  # Numbers of samples, at 20 kHz, among which a grid f
 
 @claim("eq-3.1")
 def distance_of_bins(_: Evidence) -> Record:
-    rate, samples, frequency = sympy.symbols("F_s N f", positive=True)
+    rate, samples, frequency = assumed.positive("F_s N f")
     turns = frequency * samples / rate
     # The turns in a record are proportional to the frequency, and the lowest sine turns once.
     derived = frequency / turns

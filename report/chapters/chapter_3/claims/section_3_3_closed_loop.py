@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import sympy
 
+from derivations import assumed
 from derivations.elements.friction import FORCE
 from report.chapters.chapter_3.claims import driven_steady_motion as driven
 from report.judging.parts import assertion, close, so, uncheckable
@@ -101,7 +102,7 @@ def suppression(known: Evidence) -> Record:
         method=RISING,
         second=so(merge, before.force < merger < last.force),
     )
-    scale, rate = sympy.symbols("lambda", positive=True), sympy.Symbol("w", real=True)
+    scale, rate = assumed.positive("lambda"), assumed.real("w")
     same_force = FORCE * scale * sympy.sign(scale * rate) == scale * FORCE * sympy.sign(rate)
     small, large = released.by_force[1].output, released.scaled.output
     distance = float(np.abs(large - SCALE * small).max() / np.abs(large).max())

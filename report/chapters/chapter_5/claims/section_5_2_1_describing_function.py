@@ -5,6 +5,7 @@ import math
 import control
 import sympy
 
+from derivations import assumed
 from derivations.elements.backlash import GAP, friction_waveform
 from derivations.elements.waveform import describing_function
 from derivations.symbols import A
@@ -67,7 +68,7 @@ def proportionality(_: Evidence) -> Record:
 
 @claim("eq-5.6")
 def external_input(_: Evidence) -> Record:
-    time, amplitude = sympy.Symbol("t", real=True), sympy.Rational("0.0015")
+    time, amplitude = assumed.real("t"), sympy.Rational("0.0015")
     printed = amplitude * sympy.sin(200 * sympy.pi * time)
     derived = sympy.im(amplitude * sympy.exp(2 * sympy.pi * 100 * sympy.I * time))
     form = r"r(t) = 0.0015\sin(2\pi 100t)"

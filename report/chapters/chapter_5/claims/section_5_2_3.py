@@ -2,6 +2,7 @@
 
 import sympy
 
+from derivations import assumed
 from derivations.algebra.identity import UnprovenError
 from derivations.elements.backlash import GAMMA, limits, separation_angle
 from derivations.elements.proven_step import ProvenStep
@@ -149,7 +150,7 @@ def identify(known: Evidence) -> Record:
 
 @claim("eq-5.9")
 def separation(_: Evidence) -> Record:
-    mass, damping, omega = sympy.symbols("M D omega", positive=True)
+    mass, damping, omega = assumed.positive("M D omega")
     derived = separation_angle().subs(GAMMA, mass * omega / damping)
     angle = sympy.Symbol("phi_s")
     yield expression("first line", sympy.atan(1 / GAMMA), separation_angle(), left=angle)
@@ -162,7 +163,7 @@ def separation(_: Evidence) -> Record:
 
 @claim("txt-5.2.3-limits")
 def limits_of_the_load(_: Evidence) -> Record:
-    delay, ratio = sympy.Symbol("tau", positive=True), r"\frac{b}{A}"
+    delay, ratio = assumed.positive("tau"), r"\frac{b}{A}"
     friction, inertia = limits(sympy.Integer(0)), limits(sympy.oo)
     yield expression(r"$\gamma \to 0$, contact", 1 - sympy.cos(delay), friction.ratio, ratio)
     yield expression(r"$\gamma \to \infty$, contact", delay - sympy.sin(delay), inertia.ratio, ratio)

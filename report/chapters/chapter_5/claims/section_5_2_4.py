@@ -4,6 +4,7 @@ import math
 
 import sympy
 
+from derivations import assumed
 from derivations.dimensions import FORCE as DIMENSION_OF_FORCE
 from derivations.dimensions import LENGTH, NUMBER, dimension_of
 from derivations.elements.friction import FORCE, friction_waveform, relay_waveform
@@ -205,7 +206,7 @@ def high_frequency(known: Evidence) -> Record:
 
 @claim("txt-5.2.4-linear-in-fc")
 def linear_in_force(known: Evidence) -> Record:
-    factor, signal = sympy.Symbol("k", positive=True), sympy.Symbol("y", real=True)
+    factor, signal = assumed.positive("k"), assumed.real("y")
     scaled = FRICTION.subs({FORCE: factor * FORCE, A: factor * A}, simultaneous=True)
     difference = relay_and_friction.difference_of_scaled(known.numbers.parameters, RELAY_LEVEL)
     of_scaled, of_signal = (factor * FORCE * sympy.sign(each) for each in (factor * signal, signal))
