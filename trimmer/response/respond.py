@@ -156,7 +156,8 @@ class _Search:
         within = periods_of(self.flow.subject, settling.periods)
         told = f"It settles within {within} to {orbit.sentence}."
         if agrees is not None:
-            told += f" A neighbouring start {'does the same' if agrees else 'does something else'}."
+            other = "the same" if agrees else "something else"
+            told += f" From a start a little beside it settles to {other}."
         return _settled(orbit, settling.periods, agrees, told)
 
     def _by_itself(self, instant: Instant) -> tuple[SettledMotion, float]:

@@ -14,6 +14,7 @@ from trimmer.motion.flow import Flow
 from trimmer.response.without_events.rest import Rest
 
 GONE = 1e-9  # Share of the sizes of a motion up to which what is left of it is none
+NONE = 1e-10  # Share of its size up to which a state is rounding at rest, and zero
 SINGULAR = 1e-9
 """Share of the largest singular value up to which one is zero: any place in its direction is one of rest."""
 DRIFT = 1e-13
@@ -55,7 +56,9 @@ def sampled_rest(flow: Flow, instant: Instant, sizes: Reals, gone: float = GONE)
     moved_on = max(goes_on.max(initial=0.0) / DRIFT, left_over.max(initial=0.0) / GONE)
     if moved_on > 1.0 or (abs(further) * scale / sizes).max(initial=0.0) > gone:
         return None
-    limit = flow.at(instant.state + scale * further, instant.phase, like=instant)
+    state = instant.state + scale * further
+    state[abs(state) <= NONE * sizes] = 0.0
+    limit = flow.at(state, instant.phase, like=instant)
     return Rest(flow, limit, bool((~moves).any()), _slides(flow, limit, sizes))
 
 
