@@ -114,7 +114,9 @@ def _special_point(border: Border, kind: SpecialKind, changes: dict[tuple[str, P
         for (part, phase), change in sorted(changes.items(), key=lambda item: (item[0][0], item[0][1].name))
     ]
     outside = [int((abs(place.multipliers) > 1.0).sum()) for place in (border.before, border.after)]
-    if outside[0] != outside[1]:
+    if border.after.error > CONTINUOUS:
+        notes.append("no orbit lies beyond")
+    elif outside[0] != outside[1]:
         notes.append(f"multipliers outside the unit circle jump from {outside[0]} to {outside[1]}")
     return SpecialPoint(kind, border.before.value, border.before.strobed, parts, "; ".join(notes))
 

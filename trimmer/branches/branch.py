@@ -20,7 +20,10 @@ class BranchEnd(Choice):
     LEFT_AT_STOP = "it leaves the interval at the other end"
     CLOSED = "it closes on itself"
     REJOINED = "it joins the branch with half the period, or the symmetric one"
-    TORN = "the motion jumps, as where static friction gives way at once, and no orbit lies beyond"
+    TORN = (
+        "the motion jumps, as where something just fails to stick, or static friction gives way at once, and no "
+        "orbit lies beyond"
+    )
     GRAZED = "a rigid wall is touched there without speed, where an impact is born or dies"
     INFINITE_PERIOD = "its period grows without bound"
     HOPF = (

@@ -9,8 +9,9 @@ import numpy as np
 from trimmer.arguments import finite_number
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.bifurcations import Bifurcation
-from trimmer.branches.borders import grazing
+from trimmer.branches.borders import grazing, special_points
 from trimmer.branches.branch import NEUTRAL, Branch, BranchEnd, BranchPoint
+from trimmer.branches.corner import torn
 from trimmer.branches.joining import front_beyond, joint
 from trimmer.branches.known import Known
 from trimmer.branches.orbit import Problem
@@ -157,6 +158,8 @@ def _follow_leg(front: Front, limits: Limits, record: _Record) -> _Leg:
         if isinstance(taken, BranchEnd):
             if taken is BranchEnd.GRAZED:
                 record.special.append(grazing(front.place, record.points))
+            if taken is BranchEnd.TORN and (border := torn(front)) is not None:
+                record.special += special_points(border)
             return _Leg(front, taken)
         if limits.settings.deadline.passed:
             return _Leg(front, BranchEnd.OUT_OF_TIME)

@@ -35,10 +35,10 @@ def turned(front: Front) -> Step | None:
     return None
 
 
-def is_torn(front: Front) -> bool:
-    """Say whether the map jumps just beyond the front, so that the motion from there ends elsewhere."""
+def torn(front: Front) -> Border | None:
+    """Return the front and what is just beyond it if the map jumps there, so that a motion ends elsewhere."""
     beyond = front.problem.place(front.place.position + REACHES[0] * front.tangent)
-    return beyond is not None and beyond.error > JUMP
+    return Border(front.place, beyond) if beyond is not None and beyond.error > JUMP else None
 
 
 def _tangents(front: Front, beyond: Place) -> list[Reals]:

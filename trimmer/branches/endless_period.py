@@ -10,6 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arrays import Reals
+from trimmer.branches.saddle import Saddle, limit_of
+from trimmer.messages import listed
 
 GROWN = 4.0  # Factor by which the period has grown along the branch, at least
 SPACING = 0.85  # Factor between the periods at which the law is asked
@@ -33,17 +35,28 @@ class EndlessPeriod:
         uncertainty: By how much extrapolations from different orbits differ.
         logarithmic: Whether the period grows like a logarithm, not like an inverse.
         period: The longest that was found, s.
+        saddle: The rest that the cycle comes ever nearer to, if that was seen.
     """
 
     value: float
     uncertainty: float
     logarithmic: bool
     period: float
+    saddle: Saddle | None = None
 
     @property
     def told(self) -> str:
         """It in words."""
         law = "the logarithm of" if self.logarithmic else "one over"
+        if self.saddle is not None:
+            places = listed([f"{name} {value:.6g}" for name, value in self.saddle.positions.items()])
+            return (
+                "its period grows without bound: the motion comes ever nearer to a rest in which it cannot "
+                f"stay (a saddle: {places}), from which a small distance grows by e in "
+                f"{1 / self.saddle.rate:.4g} s. Periods up to {self.period:.6g} s grow like the "
+                f"logarithm of the distance to {self.value:.9g} +- {self.uncertainty:.1g}, as that "
+                "rate demands"
+            )
         return (
             f"its period grows without bound, like {law} the distance to {self.value:.9g} +- "
             f"{self.uncertainty:.1g}, to which periods up to {self.period:.6g} s were extrapolated"
@@ -78,6 +91,18 @@ def endless_period(values: Reals, periods: Reals) -> EndlessPeriod | None:
     spread = float(np.ptp(found))
     sure = 0 < ahead * np.sign(span) <= NEAR * abs(span) and spread <= SURE * abs(ahead)
     return EndlessPeriod(float(found[0]), spread, logarithmic, longest) if sure else None
+
+
+def at_saddle(values: Reals, periods: Reals, saddle: Saddle) -> EndlessPeriod | None:
+    """Return where periods grow without bound as near a saddle; None if they do not follow its law.
+
+    Args:
+        values: Of the number that is varied, in the order of the branch, (points,).
+        periods: Of the orbits, s, (points,).
+        saddle: The rest that the last of them passes.
+    """
+    found = limit_of(values, periods, saddle.rate)
+    return None if found is None else EndlessPeriod(*found, True, float(periods[-1]), saddle)
 
 
 def _of_logarithm(values: Reals) -> Reals:

@@ -8,11 +8,12 @@ from numpy.typing import ArrayLike
 from trimmer.arguments import real_array, whole_number
 from trimmer.branches.branch import Branch, BranchEnd
 from trimmer.branches.continuation import continuation
-from trimmer.branches.endless_period import endless_period
+from trimmer.branches.endless_period import at_saddle, endless_period
 from trimmer.branches.followed import FollowedBranch, FollowedOrbit
 from trimmer.branches.period_maps.driven_map import DrivenMap
 from trimmer.branches.period_maps.fitting import fitting
 from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap
+from trimmer.branches.saddle import saddle_passed
 from trimmer.branches.settings import DEFAULT, FollowSettings
 from trimmer.errors import LoopError, MechanismError, OrbitNotFoundError
 from trimmer.loops.loops import Loop
@@ -188,7 +189,9 @@ def _with_end(branch: FollowedBranch) -> FollowedBranch:
     values, periods = (
         np.array([getattr(each, name) for each in branch.points]) for name in ("value", "period")
     )
-    found = endless_period(values, periods)
+    last = branch.points[-1].passage
+    saddle = saddle_passed(last.flow, last.course)
+    found = endless_period(values, periods) if saddle is None else at_saddle(values, periods, saddle)
     if found is None:
         return branch
     return replace(branch, reason=BranchEnd.INFINITE_PERIOD, message=found.told, endless=found)

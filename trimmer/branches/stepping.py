@@ -7,7 +7,7 @@ import numpy as np
 
 from trimmer.arrays import Reals, norm
 from trimmer.branches.branch import NEUTRAL, BranchEnd
-from trimmer.branches.corner import is_torn, turned
+from trimmer.branches.corner import torn, turned
 from trimmer.branches.null_vector import null_vector
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.settings import FollowSettings
@@ -86,7 +86,7 @@ def _obstacle(front: Front) -> BranchEnd:
     """Say why no orbit was found beyond a front."""
     if front.place.passage.grazed:
         return BranchEnd.GRAZED
-    if is_torn(front):
+    if torn(front) is not None:
         return BranchEnd.TORN
     neutral = abs(front.place.multipliers - 1.0).min() < NEUTRAL
     return BranchEnd.NOT_ISOLATED if neutral else BranchEnd.STEP_TOO_SMALL

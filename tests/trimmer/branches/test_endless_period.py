@@ -2,11 +2,16 @@
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
+from scipy.optimize import root
 
 from tests.trimmer.servos import STICTION
 from trimmer import Mechanism, follow
 from trimmer.branches import BranchEnd
 from trimmer.branches.endless_period import endless_period
+from trimmer.examples import example_text
+
+CURVE = "curve = [[-3, 1.5], [-0.3, -0.3], [0, 0], [2, 2]]"
 
 
 def test_laws_whose_end_is_known() -> None:
@@ -46,3 +51,31 @@ def test_hunting_with_stiction_ends_where_static_friction_is_kinetic() -> None:
     assert abs(branch.endless.value - 0.05) <= 3.0 * branch.endless.uncertainty
     last = branch.points[-1]
     assert last.period * (last.value - 0.05) == pytest.approx(0.02, rel=0.01)
+
+
+def test_a_block_that_slips_to_a_saddle_takes_ever_longer() -> None:
+    """On the left the spring pushes outwards: m x" = 1/2 - F(x) - c x' has a saddle at -1.5 m.
+
+    The last slip begins where friction gives way, at 1 - c v with the velocity v of the belt. It reaches the
+    corner of the curve, 1.2 m before the saddle, with the velocity with which that is come to for ever.
+    """
+    damping = 0.005
+    text = example_text("block-on-belt").replace("stiffness = 1.0", f"{CURVE}, damping = {damping}")
+    branch = follow(Mechanism.from_toml_text(text), "pins.belt.velocity", 0.2, 3.0)
+    half, slope = damping / 2, 2 / 3
+    growing, dying = -half + np.sqrt(half**2 + slope), -half - np.sqrt(half**2 + slope)
+    omega = np.sqrt(1 - half**2)
+
+    def miss(unknown: np.ndarray) -> np.ndarray:
+        speed, time = unknown
+        oscillator = np.array([[0.0, 1.0], [-1.0, -damping]])
+        place, velocity = expm(oscillator * time) @ (0.5 - damping * speed, speed)
+        return np.array([place + 0.8, velocity - 1.2 * dying])
+
+    speed = root(miss, [1.18, 3.5 / omega], tol=1e-14).x[0]
+    assert branch.reason is BranchEnd.INFINITE_PERIOD and branch.endless is not None
+    assert branch.endless.value == pytest.approx(speed, rel=1e-12)
+    saddle = branch.endless.saddle
+    assert saddle is not None and saddle.rate == pytest.approx(growing, rel=1e-12)
+    assert saddle.positions == pytest.approx({"block": -1.5})
+    assert "in which it cannot stay (a saddle: block -1.5)" in branch.message

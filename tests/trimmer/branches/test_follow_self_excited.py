@@ -111,6 +111,9 @@ def test_the_branch_ends_where_the_damped_block_does_not_reach_the_belt_again() 
     assert branch.reason is BranchEnd.TORN
     last = brentq(lambda speed: fastest(speed, 0.1) - speed, 0.4, 0.8, xtol=1e-15)
     assert branch.points[-1].value == pytest.approx(last, rel=1e-8)
+    (lost,) = branch.special
+    assert (lost.kind, lost.value) == (SpecialKind.STICK, branch.points[-1].value)
+    assert lost.note.endswith(": stick, -1; no orbit lies beyond")
 
 
 def brute_multipliers(mechanism: Mechanism, state: np.ndarray, duration: float) -> np.ndarray:
