@@ -21,8 +21,8 @@ class BranchEnd(Choice):
     CLOSED = "it closes on itself"
     REJOINED = "it joins the branch with half the period, or the symmetric one"
     TORN = (
-        "the motion jumps, as where something just fails to stick, or static friction gives way at once, and no "
-        "orbit lies beyond"
+        "the motion jumps, as where something just fails to stick, or static friction gives way at once, and "
+        "no orbit lies beyond"
     )
     GRAZED = "a rigid wall is touched there without speed, where an impact is born or dies"
     INFINITE_PERIOD = "its period grows without bound"
