@@ -1,6 +1,7 @@
 """The dimension check: what passes, what fails, and that SymPy's unit system agrees."""
 
 import re
+from dataclasses import replace
 
 import pytest
 import sympy
@@ -14,10 +15,28 @@ from derivations.linear_trimmer import derive_linear_trimmer
 from derivations.symbols import DIMENSIONS, QUANTITIES, A, c1, f, k1, m1, q1, q2, t, u, u_dot
 
 
-def test_every_derived_equation_is_consistent():
-    checks = dimension_checks(derive_linear_trimmer())
-    assert len(checks) > 100
-    require_consistent(checks)
+def test_every_derived_equation_is_consistent_and_each_is_named_where_it_is_not():
+    derived = derive_linear_trimmer()
+    require_consistent(checks := dimension_checks(derived))
+    assert len(checks) == 155  # energies, powers, accelerations; A and B; transfer functions: 10 + 80 + 65
+    power, transfer = derived.power, derived.transfer
+    denominator, numerators = list(transfer.denominator), [list(row) for row in transfer.from_velocity]
+    denominator[3], numerators[1][-1] = f * denominator[3], f * numerators[1][-1]
+    for name, wrong in {
+        "kinetic energy": replace(derived, kinetic_energy=m1 * derived.kinetic_energy),
+        "dissipation function": replace(derived, rayleigh_function=derived.rayleigh_function / f),
+        "dissipated power": replace(
+            derived, power=replace(power, dissipated_power=A * power.dissipated_power)
+        ),
+        "acceleration of q3": replace(
+            derived, accelerations=tuple(f * each for each in derived.accelerations)
+        ),
+        "denominator, s^5": replace(derived, transfer=replace(transfer, denominator=tuple(denominator))),
+        "numerator of q2, s^0": replace(derived, transfer=replace(transfer, from_velocity=numerators)),
+    }.items():
+        checks = tuple(each for each in dimension_checks(wrong) if each.name == name)
+        with pytest.raises(DimensionError, match=re.escape(name)):
+            require_consistent(checks)
 
 
 def test_every_symbol_has_a_meaning_and_a_unit_once():

@@ -6,16 +6,7 @@ import sympy
 from sympy import Rational, pi, sqrt
 
 from derivations.algebra.identity import UnprovenError
-from derivations.elements.backlash import (
-    CONTACT,
-    GAP,
-    friction_waveform,
-    inertia_contact_ratio,
-    inertia_waveform,
-)
-from derivations.elements.friction import DAMPING, FORCE, LEVEL, relay_waveform, viscous_waveform
-from derivations.elements.friction import friction_waveform as coulomb_waveform
-from derivations.elements.harmonics import HARMONIC, evaluated, first_half, odd_harmonic
+from derivations.elements.harmonics import HARMONIC, evaluated, first_half
 from derivations.elements.waveform import (
     THETA,
     Segment,
@@ -24,7 +15,7 @@ from derivations.elements.waveform import (
     segment_integral,
     simplified_describing_function,
 )
-from derivations.symbols import A, omega
+from derivations.symbols import A
 
 x, g = sympy.symbols("x g", positive=True)
 j = sympy.I
@@ -58,33 +49,6 @@ def test_a_waveform_that_is_not_odd_is_refused():
     for waveform in (uneven, late, shifted):
         with pytest.raises(UnprovenError, match="half a period"):
             first_half(waveform)
-
-
-@pytest.mark.parametrize(
-    ("made", "ratio"),
-    [
-        (lambda: relay_waveform(LEVEL), None),
-        (coulomb_waveform, None),
-        (viscous_waveform, None),
-        (friction_waveform, None),
-        (inertia_waveform, inertia_contact_ratio()),
-    ],
-    ids=["relay", "coulomb", "viscous", "friction", "inertia"],
-)
-@pytest.mark.parametrize("harmonic", [1, pytest.param(3, marks=pytest.mark.slow)])
-def test_sympys_own_integration_gives_the_same(made, ratio, harmonic):
-    """The same coefficients over the whole period, by SymPy's integrate and two real integrals."""
-    waveform = made()
-    values = {A: 1.3, GAP: 0.9, FORCE: 0.4, LEVEL: 0.7, DAMPING: 0.2, omega: 3.0}
-    if ratio is not None:
-        values |= {CONTACT: 1.9, GAP: float(1.3 * ratio.subs(CONTACT, 1.9))}
-    theirs = complex(describing_function(waveform, A, harmonic).subs(values))
-    assert complex(odd_harmonic(waveform, A, sympy.Integer(harmonic)).subs(values)) == pytest.approx(
-        theirs, abs=1e-12
-    )
-    if harmonic > 1:
-        symbolic = odd_harmonic(waveform, A, HARMONIC).subs(HARMONIC, harmonic).subs(values)
-        assert complex(symbolic) == pytest.approx(theirs, abs=1e-12)
 
 
 HEIGHT, SHARE = sympy.symbols("h s", positive=True)

@@ -13,23 +13,8 @@ from report.numbers.textbook_loops import (
     encirclements_of,
     graphical_intersections,
     growing_poles,
-    relay_loop,
 )
 from trimmer.linear import encirclements, response_at
-
-
-def test_the_relay_loop_has_the_limit_cycle_of_its_closed_form():
-    """Gelb and Vander Velde's example: Im G = 0 at omega² = 2, where G = -1/6 and A = 4/(6 π)."""
-    (cycle,) = relay_loop().limit_cycles()
-    assert cycle.omega == pytest.approx(np.sqrt(2), rel=1e-12)
-    assert cycle.amplitude == pytest.approx(2 / (3 * np.pi), rel=1e-12)
-    assert cycle.stable
-
-
-def test_the_backlash_loop_has_an_unstable_and_a_stable_limit_cycle():
-    first, second = backlash_loop().limit_cycles()
-    assert (first.stable, second.stable) == (False, True)
-    assert first.amplitude < second.amplitude
 
 
 @pytest.mark.parametrize("point", [-3.0, -1.0, -0.5, 2.0])
@@ -54,10 +39,6 @@ def test_drawn_curves_intersect_where_the_equations_are_solved():
     drawn = graphical_intersections(loop, np.geomspace(0.5, 3, 900), np.geomspace(0.55, 20, 900))
     solved = [(cycle.omega, cycle.amplitude) for cycle in loop.limit_cycles()]
     np.testing.assert_allclose(drawn, solved, rtol=2e-4)
-
-
-def test_curves_that_do_not_meet_have_no_intersection():
-    assert graphical_intersections(backlash_loop(), np.array([2.0, 3.0]), np.array([0.6, 0.7])).size == 0
 
 
 def test_time_steps_agree_with_the_simulation_from_event_to_event():

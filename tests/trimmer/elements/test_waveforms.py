@@ -1,5 +1,3 @@
-import math
-
 import numpy as np
 import pytest
 
@@ -74,30 +72,6 @@ def test_the_load_is_pushed_or_flies(gamma: float) -> None:
     assert pushed.sum() > 1000
     assert np.abs(force[flying]).max() < 1e-5 * scale
     assert (force * side)[pushed].max() < 1e-5 * scale
-
-
-@pytest.mark.parametrize(("gamma", "ratio"), [(0.2, 1.9), (1.0, 0.8), (4.0, 2.0)])
-def test_time_stepping_of_the_switched_system_ends_in_the_waveform(gamma: float, ratio: float) -> None:
-    """Moreau's time stepping knows no separation or impact: a step out of the gap is put on its wall."""
-    steps, periods = 8000, 12
-    step = 2 * math.pi / steps
-    pin = np.sin(step * np.arange(steps)).tolist()
-    position, velocity, positions = -ratio / 2, 1.0, []
-    for index in range(periods * steps):
-        wall = pin[(index + 1) % steps]
-        following = position + step * velocity * math.exp(-step / gamma)
-        following = min(max(following, wall - ratio / 2), wall + ratio / 2)
-        position, velocity = following, (following - position) / step
-        positions.append(position)
-    expected = ViscousBacklash(ratio, gamma).waveform(step * (np.arange(steps) + 1), 1.0, 1.0)
-    assert np.abs(np.array(positions[-steps:]) - expected).max() < 3e-3
-
-
-def test_the_relay_follows_the_sign_of_its_input_and_friction_that_of_the_velocity() -> None:
-    phase = np.array([0.3, 2.0, 3.5, 6.0])
-    assert Relay(2.0).waveform(phase, 1.0).tolist() == [2.0, 2.0, -2.0, -2.0]
-    assert CoulombFriction(3.0).waveform(phase, 1.0).tolist() == [3.0, -3.0, -3.0, 3.0]
-    assert ViscousFriction(0.5).waveform(phase, 2.0, 10.0) == pytest.approx(10 * np.cos(phase))
 
 
 def test_outside_the_domain_there_is_no_waveform() -> None:

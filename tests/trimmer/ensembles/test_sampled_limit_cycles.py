@@ -54,8 +54,8 @@ def test_they_are_those_of_each_trimmer(channels: str, spread: float, output: st
 
 @pytest.mark.slow
 @pytest.mark.parametrize("channels", ["both", "displacement"])
-@pytest.mark.parametrize("spread", [0.05, 0.3, 1.0, 2.0])
-@pytest.mark.parametrize("output", ["q2-q4", "q2-q3", "q2", "q4"])
+@pytest.mark.parametrize("spread", [0.3, 2.0])
+@pytest.mark.parametrize("output", ["q2-q3", "q2"])
 def test_they_are_those_of_each_of_many_trimmers(channels: str, spread: float, output: str) -> None:
     samples, gaps = random_samples(2, 600, spread)
     found = sampled_limit_cycles(samples, gap=gaps, output=output, channels=channels)

@@ -10,11 +10,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.quick import quick
-from tests.trimmer.trimmers import DAMPINGS, STIFFNESSES, exact_displacements, trimmers
+from tests.trimmer.trimmers import exact_displacements, trimmers
 from trimmer import TrimmerParameters, linear_model, pin_model, transfer_function
-from trimmer.generated import linear_trimmer
 from trimmer.linear.model import INPUTS, STATES
-from trimmer.thesis import CUTTER_RELATIVE_TO_GUARD, Displacement, InputChannels, ParameterError, TrimmerBody
+from trimmer.thesis import Displacement, InputChannels, ParameterError, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 OUTPUTS = (*map(Displacement, TrimmerBody), *(Displacement(*pair) for pair in permutations(TrimmerBody, 2)))
@@ -110,55 +109,6 @@ def test_state_space_and_transfer_function_agree_for_any_trimmer(parameters, out
         expected = complex(sum(factor * q for factor, q in zip(output.row, exact, strict=True)))
         assert state_space(1j * omega) == pytest.approx(expected, rel=1e-8, abs=1e-8 * scale)
         assert rational(1j * omega) == pytest.approx(expected, rel=1e-8, abs=1e-8 * scale)
-
-
-@settings(max_examples=10)
-@given(trimmers())
-def test_poles_are_the_roots_of_the_characteristic_polynomial(parameters: TrimmerParameters) -> None:
-    polynomial = np.poly1d(linear_trimmer.characteristic_polynomial(*parameters.values()))
-    for pole in linear_model(parameters).poles():
-        size = np.polyval(np.abs(polynomial.coeffs), abs(pole))
-        assert abs(polynomial(pole)) <= 1e-9 * size
-
-
-@settings(max_examples=10)
-@given(trimmers(), st.sampled_from(list(permutations(range(4), 2))))
-def test_reciprocity(parameters: TrimmerParameters, bodies: tuple[int, int]) -> None:
-    """A force on one body moves another as a force there would move the one (Maxwell and Betti)."""
-    here, there = bodies
-    model = linear_model(parameters)
-    inverse_masses = np.diag([1 / mass for mass in parameters.values()[:4]])
-    forces = np.vstack([np.zeros((4, 4)), inverse_masses])
-    receptance = control.ss(model.A, forces, np.eye(4, 8), np.zeros((4, 4)))(1000j)
-    assert receptance[here, there] == pytest.approx(receptance[there, here], rel=1e-7)
-
-
-@settings(max_examples=10)
-@given(trimmers(), st.floats(1e-3, 1e3), st.sampled_from(CHANNELS))
-def test_one_factor_on_all_parameters_changes_nothing(parameters, factor, channels) -> None:
-    scaled = TrimmerParameters(**{k: factor * v for k, v in dataclasses.asdict(parameters).items()})
-    original = transfer_function(parameters, CUTTER_RELATIVE_TO_GUARD, channels)
-    same = transfer_function(scaled, CUTTER_RELATIVE_TO_GUARD, channels)
-    np.testing.assert_allclose(same.den[0][0], original.den[0][0], rtol=1e-12)
-    omega = np.geomspace(10, 1e5, 7)
-    found, expected = (
-        pin_model(each, CUTTER_RELATIVE_TO_GUARD, channels)(1j * omega) for each in (scaled, parameters)
-    )
-    np.testing.assert_allclose(found, expected, rtol=1e-8)
-
-
-@settings(max_examples=10)
-@given(trimmers(), st.floats(0.01, 100), st.sampled_from(CHANNELS))
-def test_a_faster_trimmer_has_the_same_response_at_higher_frequency(parameters, speed, channels) -> None:
-    faster = dataclasses.replace(
-        parameters,
-        **{name: speed**2 * getattr(parameters, name) for name in STIFFNESSES},
-        **{name: speed * getattr(parameters, name) for name in DAMPINGS},
-    )
-    omega = np.geomspace(10, 1e5, 7)
-    found = pin_model(faster, CUTTER_RELATIVE_TO_GUARD, channels)(1j * speed * omega)
-    expected = pin_model(parameters, CUTTER_RELATIVE_TO_GUARD, channels)(1j * omega)
-    np.testing.assert_allclose(found, expected, rtol=1e-7)
 
 
 @pytest.mark.filterwarnings("error")

@@ -14,12 +14,6 @@ from trimmer.linear import undamped_modes
 THESIS = TrimmerParameters.thesis()
 
 
-def test_eigenvalues_of_the_thesis_trimmer() -> None:
-    # Equation 5.2 of the thesis, reversed; its digits follow from its parameters.
-    printed = (-24.9984 + 1397.0567j, -41.8148 + 2229.5063j, -80.5896 + 3453.172j, -541.6448 + 7159.6999j)
-    assert [each.eigenvalue for each in modes(THESIS)] == [pytest.approx(v, abs=6e-5) for v in printed]
-
-
 def test_frequencies_and_damping_ratios_are_those_of_python_control() -> None:
     natural, ratios, poles = control.damp(linear_model(THESIS), doprint=False)
     upper = poles.imag > 0

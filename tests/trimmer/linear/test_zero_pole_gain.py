@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.trimmer.trimmers import stable_systems, trimmers
+from tests.trimmer.trimmers import stable_systems
 from trimmer.linear import InputChannels, UnsupportedSystemError, ZeroPoleGain, pin_model, transfer_function
 from trimmer.thesis import Displacement, TrimmerBody, TrimmerParameters
 
@@ -20,18 +20,6 @@ def test_both_forms_of_the_trimmer_have_the_same_factors(body: TrimmerBody, chan
     assert from_states.gain == pytest.approx(from_polynomials.gain, rel=1e-9)
     assert from_states.poles == pytest.approx(from_polynomials.poles, rel=1e-9)
     assert from_states.zeros == pytest.approx(from_polynomials.zeros, rel=1e-6)
-
-
-@pytest.mark.parametrize(
-    ("channels", "degree"),
-    [(InputChannels.DISPLACEMENT_ONLY, 2), (InputChannels.DISPLACEMENT_AND_VELOCITY, 1)],
-)
-@settings(max_examples=10)
-@given(parameters=trimmers())
-def test_relative_degree_of_cutter_against_guard(channels, degree, parameters) -> None:
-    """A force moves a mass as 1/s^2; through a damper the pin's own velocity adds one s."""
-    assert ZeroPoleGain.of(pin_model(parameters, channels=channels)).relative_degree == degree
-    assert ZeroPoleGain.of(transfer_function(parameters, channels=channels)).relative_degree == degree
 
 
 @settings(max_examples=10)

@@ -159,20 +159,3 @@ def test_any_number_of_times(free: LoopMotion, count: int, end: float) -> None:
 def test_times_that_are_far_apart_or_all_the_same(free: LoopMotion) -> None:
     for times in ([3.999], [0.1, 3.9], [1.7] * 5):
         assert free.state(times) == pytest.approx(exact(np.array(times)), abs=1e-12)
-
-
-def test_several_modes_each_from_its_own_start() -> None:
-    """Between two events the play rests or follows; the flow is that of its mode."""
-    motion = simulate(ClosedLoop(PLANT, FrictionBacklash(0.05)), 4.0, initial_state=START)
-    starts = np.unique([0.0, *motion.event_times])
-    assert len(starts) > 8
-    for begin, end in zip(starts, [*starts[1:], 4.0], strict=True):
-        inside = begin + (end - begin) * np.array([1e-6, 0.3, 0.6, 0.999])
-        states, outputs = motion.state(inside), motion.element_output(inside)
-        moving = np.ptp(outputs) > 1e-9
-        feedback = PLANT.B @ PLANT.C if moving else np.zeros((3, 3))
-        constant = outputs[0] + moving * motion.output(inside[0])
-        matrix = np.block([[A - feedback, PLANT.B * constant], [np.zeros((1, 4))]])
-        first = np.append(states[:, 0], 1.0)
-        expected = [(expm(matrix * (time - inside[0])) @ first)[:3] for time in inside]
-        assert states == pytest.approx(np.transpose(expected), abs=1e-11)
