@@ -87,7 +87,7 @@ def by_quadrature(element: Element, amplitude: float, harmonic: int) -> mpc:
         return 1j / (turn * amplitude) * total
 
 
-@pytest.mark.parametrize("element", quick(ELEMENTS, 1, 2, 5), ids=repr)
+@pytest.mark.parametrize("element", quick(ELEMENTS, 1, 2, 8), ids=repr)
 def test_every_harmonic_is_that_of_quadrature(element: Element) -> None:
     for amplitude, harmonic in POINTS:
         value = complex(element.describing_function(amplitude, harmonic=harmonic))
@@ -117,16 +117,6 @@ def test_a_preload_is_a_gain_and_a_relay(amplitude: float, harmonic: int) -> Non
     relay = Relay(0.7).describing_function(amplitude, harmonic=harmonic)
     preload = Preload(0.7, 0.2).describing_function(amplitude, harmonic=harmonic)
     assert preload == pytest.approx(relay + (0.2 if harmonic == 1 else 0.0), rel=1e-15)
-
-
-@given(amplitude=amplitudes, harmonic=st.sampled_from([1, 3, 5]))
-def test_a_narrow_hysteresis_or_dead_zone_changes_little(amplitude: float, harmonic: int) -> None:
-    for close, limit in (
-        (Relay(3.0, 1e-12, 0.5), Relay(3.0, 0.0, 0.5)),
-        (Relay(3.0, 0.5, 1e-12), Relay(3.0, 0.5, 0.0)),
-    ):
-        exact = limit.describing_function(amplitude, harmonic=harmonic)
-        assert close.describing_function(amplitude, harmonic=harmonic) == pytest.approx(exact, rel=1e-9)
 
 
 @pytest.mark.parametrize("element", [*ELEMENTS, Relay(2.0)], ids=repr)

@@ -52,9 +52,6 @@ def some_frictions(seed: int, fewest: int = 3, most: int = 3) -> Ring:
     )
 
 
-RINGS = [(each,) for each in (*EXAMPLES.values(), some_frictions(8, 5, 5))]
-
-
 def loop_of(ring: Ring, element: Element | None = None, drive: Drive | None = DRIVE) -> TrimmerLoop:
     frictions = tuple(BodyFriction(each, CoulombFriction(force)) for each, force in ring)
     return TrimmerLoop(THESIS, element, drive, channels=InputChannels.DISPLACEMENT_ONLY, frictions=frictions)
@@ -124,33 +121,6 @@ def test_three_frictions_in_a_ring() -> None:
 def test_many_frictions_in_rings(seed: int) -> None:
     check_laws(some_frictions(seed), 0.2)
     check_laws(some_frictions(seed, 4, 6), 0.1)
-
-
-@pytest.mark.parametrize("ring", quick(RINGS, 0))
-def test_the_order_of_frictions_and_of_their_ends_does_not_matter(ring: Ring) -> None:
-    turned = tuple((between(each.relative_to, each.of), force) for each, force in ring if each.relative_to)
-    others = tuple((each, force) for each, force in ring if not each.relative_to)
-    motion, permuted, other = (
-        simulate(loop_of(frictions), 0.05) for frictions in (ring, ring[::-1], (*others, *turned))
-    )
-    times = np.linspace(0.0, 0.05, 100)
-    assert permuted.state(times) == pytest.approx(motion.state(times), rel=1e-9, abs=1e-13)
-    assert other.state(times)[:4] == pytest.approx(motion.state(times)[:4], rel=1e-9, abs=1e-13)
-    assert len(motion.events) == len(permuted.events) == len(other.events) > 10
-    assert permuted.event_times == pytest.approx(motion.event_times, rel=1e-11)
-    assert other.event_times == pytest.approx(motion.event_times, rel=1e-11)
-
-
-@pytest.mark.parametrize("ring", quick(RINGS, 0))
-def test_a_mirrored_drive_mirrors_the_motion(ring: Ring) -> None:
-    motion = simulate(loop_of(ring), 0.05)
-    mirrored = simulate(loop_of(ring, drive=Drive(AMPLITUDE, OMEGA, phase=math.pi)), 0.05)
-    times = np.linspace(0.0, 0.05, 100)
-    assert mirrored.state(times) == pytest.approx(-motion.state(times), rel=1e-8, abs=1e-12)
-    sides = {"plus": "minus", "minus": "plus", "held": "held"}
-    expected = sorted((round(each.time, 10), each.component, sides[each.mode]) for each in motion.events)
-    found = sorted((round(each.time, 10), each.component, each.mode) for each in mirrored.events)
-    assert [each[1:] for each in found] == [each[1:] for each in expected]
 
 
 def test_frictions_that_repeat_each_other_are_one_with_the_sum_of_the_forces() -> None:
