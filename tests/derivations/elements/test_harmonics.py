@@ -62,6 +62,8 @@ def test_sine_and_cosine_of_a_pulse():
     assert PULSE.sine_coefficient(2) == Rational(3, 4) * HEIGHT / pi
     assert PULSE.cosine_coefficient(2) == sqrt(3) * HEIGHT / (4 * pi)
     assert PULSE.jumps() == (-HEIGHT, HEIGHT)
+    risen = Waveform((Segment(sympy.Integer(0), pi, THETA), Segment(pi, 2 * pi, pi)))
+    assert risen.jumps() == (0, -pi)
     assert PULSE.segments[0].position(sympy.Integer(1)) == HEIGHT
     assert segment_integral(Segment(pi / 6, pi / 2, THETA), sympy.Integer(1)) == pi**2 / 9
 
