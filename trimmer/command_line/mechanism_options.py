@@ -53,11 +53,8 @@ def note_controllers(file: Path, mechanism: Mechanism) -> None:
 
 def mechanism_with(file: Path, assignments: Sequence[str]) -> Mechanism:
     """Return the mechanism of a file with numbers set, each by a text such as ``plays.bridge.gap=40um``."""
-    from trimmer.mechanism.places import assignment
+    from trimmer.mechanism.places import assignment, with_values
     from trimmer.mechanism.reading import read_mechanism
 
     values = [assignment(text) for text in assignments]
-    mechanism = read_mechanism(file, dict(values))
-    for place, value in values:
-        mechanism = mechanism.with_value(place, value)
-    return mechanism
+    return with_values(read_mechanism(file, dict(values)), values)

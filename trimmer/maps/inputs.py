@@ -14,6 +14,7 @@ from trimmer.errors import MapError, TrimmerError, WrongTypeError
 from trimmer.mechanism.drives import clocks_in, sines_in
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
+from trimmer.mechanism.places import with_values
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import require_subject
 from trimmer.response.periodic.pace import period_word, periods_of
@@ -118,17 +119,7 @@ def varied(mechanism: _Subject, places: tuple[str, ...], values: tuple[float, ..
     Raises:
         MechanismError: if the numbers cannot stand there together.
     """
-    try:
-        return _in_order(mechanism, places, values)
-    except TrimmerError:
-        # A static force may have to rise before the kinetic one does.
-        return _in_order(mechanism, places[::-1], values[::-1])
-
-
-def _in_order(mechanism: _Subject, places: tuple[str, ...], values: tuple[float, ...]) -> _Subject:
-    for place, value in zip(places, values, strict=True):
-        mechanism = mechanism.with_value(place, value)
-    return mechanism
+    return with_values(mechanism, zip(places, values, strict=True))
 
 
 def checked_inputs(mechanism: Subject, values: Mapping[str, ArrayLike], settings: Settings) -> MapInputs:

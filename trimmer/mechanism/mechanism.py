@@ -257,8 +257,16 @@ _JUDGED = (*COUPLINGS, "forces", *SECTIONS)
 """Sections whose numbers may not go together within an entry, and not beyond it."""
 
 
-def changed(mechanism: Mechanism, field_name: str, content: Any, name: str = "") -> Mechanism:
-    """Return a mechanism in which one number, which was checked, has changed; others are not checked."""
+def changed(mechanism: Mechanism, place: tuple[str, ...], content: Any, value: float | str) -> Mechanism:
+    """Return a mechanism in which one number, which was checked, has changed; others are not checked.
+
+    Args:
+        mechanism: The mechanism.
+        place: Of the number.
+        content: Of the field, with the number.
+        value: The number as it was given, which is told where something else does not fit it.
+    """
+    field_name, name = place[0], "".join(place[1:2])
     contents = {**vars(mechanism), field_name: content}
     asked = contents
     if field_name == "points":  # Weights of points may leave any part without motion.
@@ -267,7 +275,12 @@ def changed(mechanism: Mechanism, field_name: str, content: Any, name: str = "")
         alone = {name: content[name]} if field_name in _JUDGED else {}
         asked = {**contents, **{each: alone if each == field_name else {} for each in _JUDGED}}
     if problems := list(problems_of_numbers(asked, weighs=field_name == "points")):
-        raise MechanismError(as_message(problems))
+        from trimmer.mechanism.place_text import place_text
+
+        own = [each.place for each in problems] == [place]
+        raise MechanismError(
+            as_message(problems, "the mechanism" if own else f"with {place_text(place)} = {value}")
+        )
     made = object.__new__(Mechanism)
     vars(made).update(contents)
     return made

@@ -1,12 +1,12 @@
 """The numbers of a mechanism by their dotted places, such as ``plays.bridge.gap``: read, replaced, listed."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
-from typing import Any
+from typing import Any, Protocol, Self, TypeVar
 
 from trimmer.arguments import require_instance
-from trimmer.errors import MechanismError
+from trimmer.errors import MechanismError, TrimmerError
 from trimmer.mechanism import number_rows
 from trimmer.mechanism.controls import reading as control_reading
 from trimmer.mechanism.controls.checks import OPTIONAL
@@ -21,6 +21,14 @@ from trimmer.mechanism.read_only import ReadOnly
 from trimmer.mechanism.units import UnitError, quantity
 from trimmer.messages import shown_value
 
+
+class Numbered(Protocol):
+    """What has numbers at places: a mechanism or a loop."""
+
+    def with_value(self, place: str, value: float | str) -> Self: ...  # noqa: D102
+
+
+_Numbered = TypeVar("_Numbered", bound=Numbered)
 STATE = ("displacement", "velocity")  # What a start gives of a body, in the order of the file
 
 
@@ -82,7 +90,32 @@ def with_value_at(mechanism: Mechanism, place: str, value: float | str) -> Mecha
     content, name = getattr(mechanism, names[0]), "".join(names[1:2])
     if field == "start":
         content = {**content, name: content.get(name, (0.0, 0.0))}
-    return changed(mechanism, names[0], _with(content, inner, number), name)
+    return changed(mechanism, names, _with(content, inner, number), value)
+
+
+def with_values(subject: _Numbered, values: Iterable[tuple[str, float | str]]) -> _Numbered:
+    """Return a mechanism or a loop with other numbers at some places, in whatever order they can be set.
+
+    A static force may have to rise before the kinetic one does.
+
+    Raises:
+        MechanismError, LoopError: if the numbers cannot stand there together.
+    """
+    left = list(values)
+    while left:
+        first = None
+        for at, (place, value) in enumerate(left):
+            try:
+                subject = subject.with_value(place, value)
+            except TrimmerError as error:
+                first = first or error
+            else:
+                del left[at]
+                break
+        else:
+            assert first is not None
+            raise first
+    return subject
 
 
 def _steps(mechanism: Mechanism, names: Place) -> tuple[Any, ...]:

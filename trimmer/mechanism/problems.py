@@ -46,9 +46,9 @@ def problems_of_name(section: tuple[str, ...], name: object) -> Iterator[Problem
         yield Problem(place, f"a name of {len(name)} characters is too long; use at most {LONGEST_NAME}")
 
 
-def as_message(problems: Sequence[Problem]) -> str:
+def as_message(problems: Sequence[Problem], name: str = "the mechanism") -> str:
     """Return one message of all problems of a mechanism that no file stands behind."""
-    return in_one([problem.sentence() for problem in problems], "the mechanism")
+    return in_one([problem.sentence() for problem in problems], name)
 
 
 def as_message_of_file(

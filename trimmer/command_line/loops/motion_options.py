@@ -51,7 +51,7 @@ def add_impulse_option(parser: ArgumentParser) -> None:
 def chosen_loop(arguments: Namespace) -> TrimmerLoop:
     """Return the loop that the options choose, with the numbers that are set."""
     from trimmer.loops.trimmer_loop import TrimmerLoop
-    from trimmer.mechanism.places import assignment
+    from trimmer.mechanism.places import assignment, with_values
 
     if arguments.element is None:
         refuse_unused(arguments, ELEMENT_OPTIONS, "--element")
@@ -69,8 +69,7 @@ def chosen_loop(arguments: Namespace) -> TrimmerLoop:
         channels=arguments.channels,
         frictions=tuple(_friction(text) for text in arguments.friction),
     )
-    for text in arguments.set:
-        loop = loop.with_value(*assignment(text))
+    loop = with_values(loop, map(assignment, arguments.set))
     try:
         loop.interconnection()
     except ValueError as error:

@@ -17,6 +17,7 @@ from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.open_values import OpenValue, open_values
 from trimmer.mechanism.place_text import parse_place, place_text
+from trimmer.mechanism.places import with_values
 from trimmer.mechanism.problems import Problem, as_message_of_file, line_of
 from trimmer.mechanism.reading import bytes_of_file, content_of_text, mechanism_of_text
 from trimmer.mechanism.toml_lines import lines_of_keys
@@ -147,10 +148,7 @@ def _changed(
 ) -> Mechanism:
     """Return the mechanism of a text with values for what it leaves open, and other numbers at places."""
     set_values = {place_text(parse_place(place)): value for place, value in changes}
-    mechanism = mechanism_of_text(text, name, {**values, **set_values}, folder)
-    for place, value in changes:
-        mechanism = mechanism.with_value(place, value)
-    return mechanism
+    return with_values(mechanism_of_text(text, name, {**values, **set_values}, folder), changes)
 
 
 def _design_file(raw: bytes, name: str, folder: Path, changes: Changes = ()) -> DesignFile:
