@@ -5,7 +5,7 @@ import itertools
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mpc, mpf
 
@@ -117,6 +117,17 @@ def test_a_preload_is_a_gain_and_a_relay(amplitude: float, harmonic: int) -> Non
     relay = Relay(0.7).describing_function(amplitude, harmonic=harmonic)
     preload = Preload(0.7, 0.2).describing_function(amplitude, harmonic=harmonic)
     assert preload == pytest.approx(relay + (0.2 if harmonic == 1 else 0.0), rel=1e-15)
+
+
+@pytest.mark.parametrize("relay", RELAYS, ids=repr)
+@settings(max_examples=20)
+@given(amplitude=amplitudes)
+def test_the_area_of_the_loops_is_the_imaginary_part(relay: Relay, amplitude: float) -> None:
+    """The area of a loop over a period is -π A² Im N; both loops are 2 hysteresis wide and one level high."""
+    area = 2 * (2 * relay.hysteresis) * relay.level
+    if relay.hysteresis:
+        value = complex(relay.describing_function(amplitude))
+        assert value.imag * -np.pi * amplitude**2 == pytest.approx(area, rel=1e-9, abs=0.0)
 
 
 @pytest.mark.parametrize("element", [*ELEMENTS, Relay(2.0)], ids=repr)
