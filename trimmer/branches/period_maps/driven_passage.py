@@ -183,10 +183,10 @@ class DrivenPassage:
         Raises:
             UnsupportedMotionError: if the neighbouring motion cannot be followed.
         """
-        known = self.map.flows.slopes(self.value)
+        known = self.map.flows.slopes(self.value, self.flow)
         if known is not None:
-            system, step, slopes = known
-            return ValueChange(course, system, step, 0.0, slopes).rate()
+            system, step, slopes, pace = known
+            return ValueChange(course, system, step, course.duration * pace, slopes).rate()
         value, subject = self.map.neighbour(self.value)
         step, flow = value - self.value, self.flow.at_other(subject)
         scale = flow.period / self.flow.period if self.flow.period else 1.0

@@ -1,4 +1,7 @@
-"""What moves over a number: assembled anew for a value, or where all is affine in it, a sum of two."""
+"""What moves over a number: assembled anew for a value, or where all is affine in it, a sum of two.
+
+What is no sum may still have equations that are polynomials, whose derivatives are known.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from trimmer.branches.period_maps.curved import Curved
 from trimmer.branches.period_maps.value_flow import Slopes, changing
 from trimmer.errors import TrimmerError
 from trimmer.hybrid.affine_modes import AffineModes
@@ -84,6 +88,7 @@ class Flows:
         self._own, self._known = subject.value(place), dict[float, Flow]()
         self._beyond, self._tries = 0, TRIES
         self._family: _Family | None = None
+        self._curved: Curved | None = None
         self.near: dict[object, Instant] = {}
 
     def at(self, value: float) -> Flow:
@@ -105,11 +110,11 @@ class Flows:
         # Between two values that a number can have it can have all, so that nothing is made to ask for it.
         subject = cache(partial(self.subject.with_value, self.place, value))
         share = None if self._family is None else self._family.share(value)
-        if share is None:
+        if share is None and not (self._curved is not None and self._curved.holds(value)):
             self._beyond += 1
             if self._tries and self._beyond % WORTH == 0:
-                self._family = self._around(value)
-                self._tries -= self._family is None
+                self._family, self._curved = self._around(value)
+                self._tries -= self._family is None and self._curved is None
                 share = None if self._family is None else self._family.share(value)
         family = self._family
         # A flow that was made and not followed, as with a period below 0, has met no modes.
@@ -119,33 +124,40 @@ class Flows:
         if not family.flows[0].is_alike(latest):  # A friction without a force is no part.
             return flow_of(subject())
         if not family.modes.learn(latest.modes):
-            self._family, self._tries = None, self._tries - 1
-            return flow_of(subject())
+            flow, self._family = flow_of(subject()), None
+            values = family.first, (family.first + family.last) / 2, family.last, value
+            self._curved = Curved.of(np.array(values), (*family.flows, flow))
+            self._tries -= self._curved is None
+            return flow
         return family.flows[0].with_modes(subject, family.modes.at(share, family.system(subject, share)))
 
-    def _around(self, value: float) -> _Family | None:
-        """Return the family around a value, if the equations are affine in the number there."""
+    def _around(self, value: float) -> tuple[_Family | None, Curved | None]:
+        """Return what is known around a value, if equations are affine there, or polynomials."""
         if not value:
-            return None
+            return None, None
         first, last = value / WIDTH, value * WIDTH
+        values = np.array([first, (first + last) / 2, last, value])
         try:
-            subjects = [
-                self.subject.with_value(self.place, each) for each in (first, (first + last) / 2, last)
-            ]
+            flows = (*(flow_of(self.subject.with_value(self.place, each)) for each in values.tolist()),)
         except TrimmerError:
-            return None
-        return _Family.of(*map(flow_of, subjects), ends=(first, last))
+            return None, None
+        family = _Family.of(*flows[:3], ends=(first, last))
+        return family, Curved.of(values, flows) if family is None else None
 
-    def slopes(self, value: float) -> tuple[System, float, Slopes] | None:
-        """Return how the equations change at a value, and another system so far from it.
+    def slopes(self, value: float, flow: Flow) -> tuple[System, float, Slopes, float] | None:
+        """Return how equations change at a value: another system so far from it, and their derivatives.
 
-        None where they are not affine, or number their modes otherwise.
+        Last comes that of the logarithm of the drive's period. None where they are no polynomials of first or
+        second degree, or number their modes otherwise than those of the flow at the value.
         """
-        family, flow = self._family, self.at(value)
+        family = self._family
+        if self._curved is not None and self._curved.holds(value) and self._curved.flows[0].is_alike(flow):
+            found = self._curved.slopes(value, flow.modes)
+            return None if found is None else (flow.modes.system, 1.0, found, self._curved.pace(value))
         if family is None or family.share(value) is None or not family.flows[0].is_alike(flow):
             return None
         if not family.modes.learn(flow.modes) or not family.modes.numbers_alike(flow.modes):
             return None
         far = family.last if abs(family.last - value) > abs(family.first - value) else family.first
         system = family.flows[2 if far == family.last else 0].modes.system
-        return system, far - value, family.slopes
+        return system, far - value, family.slopes, 0.0
