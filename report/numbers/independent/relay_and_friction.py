@@ -28,7 +28,7 @@ def on_the_imaginary_axis(numbers: LinearNumbers) -> list[float]:
     """Return Im G, up to a positive factor, at every frequency above zero where Re G(jω) is zero."""
     frequency = assumed.real("omega")
     above, below = fraction_of(numbers)
-    product = sympy.expand((above * below.subs(s, -s)).subs(s, sympy.I * frequency))
+    product = (above * below.subs(s, -s)).subs(s, sympy.I * frequency)
     real_part = sympy.Poly(sympy.re(product), frequency)
     imaginary_part = sympy.Poly(sympy.im(product), frequency)
     return [float(imaginary_part.eval(root)) for root in real_part.nroots(n=30) if root.is_real and root > 0]

@@ -18,7 +18,8 @@ from report.numbers.twin.map_numbers import MapNumbers
 from report.numbers.twin.mechanism import FORCE, GAP, twin
 from report.twin import make_maps
 from report.twin.cell_check import CellDifferenceError, check_cell, check_cells, name_of, seed_of
-from report.twin.chapter import of_check
+from report.twin.chapter import of_check, twin_chapter
+from report.twin.sections import maps
 from trimmer import FollowSettings, Mechanism, follow
 
 MOST_BYTES = 1_500_000
@@ -112,6 +113,11 @@ def test_the_draw_allows_few_cells_that_do_not_repeat_to_end_otherwise(friction,
         said = altered(said, count, kind="t")
     with pytest.raises(CellDifferenceError, match="kept is a torus"):
         check_cells([said], 7, 3)
+
+
+def test_cells_that_were_computed_again_end_the_section_on_maps_and_no_other(evidence):
+    ends = {each.id: each.items[-1].id for each in twin_chapter(evidence, 3).sections}
+    assert [name for name, end in ends.items() if end == "twin-cells"] == [maps.SECTION.id]
 
 
 def test_the_draw_depends_on_the_seed_alone(friction):

@@ -1,10 +1,11 @@
 """Which numbers are fitted, and which directions of them a measurement says little of."""
 
+import control
 import numpy as np
 import pytest
 
 from tests.trimmer.fitting.made import trimmer
-from trimmer import Mechanism
+from trimmer import ClosedLoop, DeadZone, Mechanism
 from trimmer.errors import FitError
 from trimmer.fitting.unknowns import Unknown, unknowns_of
 from trimmer.fitting.weak import TOLD, weak_directions
@@ -29,6 +30,9 @@ def test_named_numbers_may_have_any_sign() -> None:
     assert (phase.positive, phase.start, phase.unit) == (False, 0.0, "rad")
     (mass,) = unknowns_of(mechanism, ["bodies.motor.mass"])
     assert mass.positive
+    loop = ClosedLoop(control.tf([1.0], [1.0, 1.0, 1.0]), 2.0 * DeadZone(1.0))
+    factor, threshold = unknowns_of(loop, ["element.factor", "element.threshold"])
+    assert (factor.positive, threshold.positive) == (False, True)
 
 
 UNKNOWNS = (

@@ -31,6 +31,7 @@ def test_a_torus_has_the_numbers_of_samples_of_the_same_motion(torus: Response, 
     assert (content["kind"], content["period_count"], content["multipliers"]) == ("torus", None, [])
     periods, watched = content["drive_periods"], content["window_periods"]
     assert periods == 100 + watched
+    assert motion.window.duration == pytest.approx(watched / mechanism.frequency)
     steps = np.arange(watched * SAMPLES) + 0.5
     times = (100 + steps / SAMPLES) / mechanism.frequency
     for name in mechanism.outputs:

@@ -46,7 +46,7 @@ def flat(**bins: float) -> np.ndarray:
         (flat(at80=30, at81=30), Band(), [161]),
         # The first side lobe of Hann, 0.0267 of a larger line, is none.
         (flat(at100=1e8, at103=1e8 * 0.056**2), Band(), [200, 206]),
-        (flat(at100=1e8, at103=1e8 * 0.020**2), Band(), [200]),
+        (flat(at97=1e8 * 0.020**2, at100=1e8, at103=1e8 * 0.020**2), Band(), [200]),
     ],
 )
 def test_lines_are_bins_above_the_noise_by_falling_amplitude(density, trusted: Band, places) -> None:
