@@ -70,7 +70,7 @@ def inertia_difference(frequency: float) -> float:
 def contact_angle(gap_over_amplitude: float) -> float:
     """Return the phase of the flight of a load without friction, rad, by the derived contact equation."""
     ratio = sympy.lambdify(CONTACT, inertia_contact_ratio() - gap_over_amplitude)
-    return float(brentq(ratio, 0.1, math.pi, xtol=1e-14))
+    return float(brentq(ratio, 0.1, math.pi))
 
 
 def contact_time() -> float:

@@ -50,18 +50,19 @@ def provenance(build_time: BuildTime | None = None) -> Provenance:
 def _commit() -> tuple[str, str]:
     tracked = _git("ls-files", "--error-unmatch", Path(__file__).name)
     described = _git("log", "-1", "--format=%h %cI")
-    if tracked is None or not described:
+    if not tracked or not described:
         return "none (not a git checkout)", RELEASED
     commit, date = described.split()
     changed = _git("status", "--porcelain", "--untracked-files=no")
     return (f"{commit} with local changes" if changed else commit), date
 
 
-def _git(*arguments: str) -> str | None:
+def _git(*arguments: str) -> str:
+    """Return what git prints; nothing where it fails, or is not there."""
     try:
         finished = subprocess.run(
-            ["git", *arguments], cwd=Path(__file__).parent, capture_output=True, text=True, check=True
+            ["git", *arguments], cwd=Path(__file__).parent, capture_output=True, text=True
         )
-    except (OSError, subprocess.CalledProcessError):
-        return None
+    except OSError:
+        return ""
     return finished.stdout.strip()

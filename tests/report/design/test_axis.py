@@ -161,4 +161,11 @@ def test_a_contactor_that_stays_closed_holds_what_its_coil_pulls() -> None:
     }
     rows = [part for name, force in forces.items() for part in (name, f"{force:.3g} N".replace("-", "−"))]
     report = DesignReport("Contactor", {}, origin_of([file], "2026-01-01"), design, None)
-    assert " | ".join(["", "Part", "Force at rest", *rows]) + "\n" in markdown_lines(to_markdown(report))
+    found = markdown_lines(to_markdown(report))
+    assert " | ".join(["", "Part", "Force at rest", *rows]) + "\n" in found
+    assert design.motion is not None and design.motion.switched is not None
+    closings = [
+        f"{name} closes after {1e3 * at.closing_time:.3g} ms and bounces for {1e3 * at.bounce_time:.3g} ms"
+        for name, at in sorted(design.motion.switched.closings.items())
+    ]
+    assert f"The machine switches. From rest, {' and '.join(closings)}; after 15.6 ms nothing" in found

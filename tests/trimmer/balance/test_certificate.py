@@ -25,6 +25,18 @@ def test_a_continuum_is_reported_and_not_enumerated() -> None:
     assert highest == pytest.approx(10.0, rel=1e-6)
 
 
+@pytest.mark.parametrize(
+    ("zeros", "poles"), [([-1] * 3, [-1.1] * 3 + [-1e5] * 3), ([-1e5] * 2, [-1.1e5] * 2)]
+)
+def test_one_in_state_space_is_as_certain_as_its_fraction(zeros: list[float], poles: list[float]) -> None:
+    G = control.zpk(zeros, [*poles, -1, -1, -1], 1.0)
+    fraction, states = (
+        harmonic_balance(each, Relay(1.0)).certificate for each in (control.tf(G), control.ss(G))
+    )
+    assert fraction.complete and states.complete
+    assert states.omegas == pytest.approx(fraction.omegas, rel=1e-3)  # Threefold roots are known to 1e-5.
+
+
 TWICE = FrictionBacklash(1.0) + FrictionBacklash(1.0)
 NEARLY_AT_THE_EDGE = control.tf([-1e18], [1, 3, 3, 1, 0, 0])
 
