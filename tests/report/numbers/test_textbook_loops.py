@@ -13,8 +13,17 @@ from report.numbers.textbook_loops import (
     encirclements_of,
     graphical_intersections,
     growing_poles,
+    relay_loop,
 )
 from trimmer.linear import encirclements, response_at
+
+
+def test_the_relay_loop_has_the_limit_cycle_of_its_closed_form():
+    """Gelb and Vander Velde's example: Im G = 0 at omega² = 2, where G = -1/6 and A = 4/(6 π)."""
+    (cycle,) = relay_loop().limit_cycles()
+    assert cycle.omega == pytest.approx(np.sqrt(2), rel=1e-12)
+    assert cycle.amplitude == pytest.approx(2 / (3 * np.pi), rel=1e-12)
+    assert cycle.stable
 
 
 @pytest.mark.parametrize("point", [-3.0, -1.0, -0.5, 2.0])

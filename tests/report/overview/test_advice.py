@@ -75,6 +75,7 @@ def test_what_the_search_found_is_found_again(searched):
             assert found.values == pytest.approx(kept.values, rel=1e-4)
 
 
+@pytest.mark.slow
 def test_a_climb_ends_at_the_worst_that_is_kept():
     (found,) = (each for each in read_advice(LINES) if each.line.id == "soft")
     worst = max(each.values[2] for each in found.worst)

@@ -226,6 +226,7 @@ path = {{ step = 1.0 }}
 """
 
 
+@pytest.mark.slow
 def test_a_gap_and_a_friction_are_followed_alike() -> None:
     """Only their ratio counts. A play that is stuck leaves its side in the instant at which the pin slips."""
     plant = control.ss(

@@ -178,6 +178,7 @@ def test_how_near_a_sample_an_impact_is_at_its_instant(share: float, acting: flo
     np.testing.assert_allclose(motion.signal("first", np.array([0.014])), [acting], rtol=1e-6)
 
 
+@pytest.mark.slow
 def test_hunting_under_samples_is_a_torus_with_lines() -> None:
     """Play in the loop of a slow position control: it hunts, whatever the samples are."""
     loose = replace(

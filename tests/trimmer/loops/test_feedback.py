@@ -103,6 +103,7 @@ def test_the_servo_hunts_as_a_second_program_says() -> None:
         orbit.stroke_of("qll")
 
 
+@pytest.mark.slow
 def test_from_many_starts_it_hunts_alike_or_rests() -> None:
     (orbit,) = periodic_orbits(Feedback(SERVO, ELEMENTS), search=OrbitSearch(starts=8))
     assert (orbit.period, orbit.stable) == (pytest.approx(0.9110718763659875, rel=1e-10), True)

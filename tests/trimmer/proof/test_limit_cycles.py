@@ -59,7 +59,7 @@ def balanced(system: control.lti.LTI, element: Element) -> tuple[ClosedLoop, tup
     return loop, harmonic_balance(loop).limit_cycles
 
 
-@pytest.mark.parametrize("name", quick(LOOPS, 4, 5, 9, 10, 11, 13, 14, 15))
+@pytest.mark.parametrize("name", quick(LOOPS, 5, 9, 10, 11, 13, 14, 15))
 def test_the_list_is_proven_and_every_other_is_not(name: str) -> None:
     loop, cycles = balanced(*LOOPS[name])
     proof = prove_limit_cycles(loop, cycles)

@@ -56,7 +56,7 @@ def proven_and_confirmed(seed: int) -> bool:
     return True
 
 
-@pytest.mark.parametrize("seeds", quick([range(7, 9), *(range(k, k + 12) for k in range(0, 150, 50))], 0))
+@pytest.mark.parametrize("seeds", quick([range(11, 12), *(range(k, k + 12) for k in range(0, 150, 50))], 0))
 def test_of_motions_of_random_machines_none_is_proven_wrongly(seeds: range) -> None:
     assert sum(map(proven_and_confirmed, seeds)) > 0.7 * len(seeds)
 

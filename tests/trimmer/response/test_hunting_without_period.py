@@ -125,6 +125,7 @@ def test_a_rest_that_newton_finds_is_not_what_a_hunting_comes_to() -> None:
     assert "1700 periods of its slowest mode; 17000 of them would be followed" in motion.message
 
 
+@pytest.mark.slow
 def test_what_comes_to_a_cycle_slowly_is_told_to_and_not_to_grow() -> None:
     """A slip drops the control by kp times its size; the integral takes it to the other breakaway."""
     slow = STICTION.replace("ki = 120.0", "ki = 5.0")

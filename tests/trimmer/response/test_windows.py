@@ -176,6 +176,7 @@ def test_what_swings_for_ever_without_a_drive_tells_what_leans_on_it() -> None:
     assert contacts["far"]["largest_force"] == contacts["far"]["share_of_time"] == 0.0
 
 
+@pytest.mark.slow
 def test_what_drifts_through_a_gap_is_on_no_torus() -> None:
     """The axis is at rest, and the load flies at 0.5 mm/s through its gap; all else is rounding."""
     text = """
