@@ -1,16 +1,20 @@
 """What a cell without a drive settles to: a machine that rests, moves by itself or grows."""
 
+import warnings
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.errors import DivergingMotionError
+from trimmer.errors import DivergingMotionError, OrbitNotFoundWarning
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.hybrid.system import NOTHING
 from trimmer.maps.measures import Measures, at_rest, chosen, of_orbit, of_window
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
+from trimmer.motion.time_scale import time_scale
+from trimmer.orbits.search import OrbitSearch, Simulations
+from trimmer.response.by_itself.orbit_by_itself import as_orbit, orbits_of_loop, state_on
 from trimmer.response.by_itself.self_excited import STRETCHES, self_excited
 from trimmer.response.periodic.orbit import Orbit
 from trimmer.response.results.response import MotionKind
@@ -62,6 +66,35 @@ def came_to(flow: Flow, start: Instant, most_periods: int = sum(STRETCHES)) -> C
         min(returns.count, RETURNS),
         lyapunov=returns.exponent.value if returns.exponent else None,
     )
+
+
+def came_to_in_loop(flow: Flow) -> tuple[CameTo, ...]:
+    """Return all stable orbits that are found of a loop at rest, the largest first; else how motions end.
+
+    With frictions beside it they are what these orbits lead to. It rests, or grows, if all simulations of the
+    search ended so, and is undecided if they differ.
+
+    Raises:
+        OrbitNotFoundError: if an orbit that was found cannot be followed.
+    """
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", OrbitNotFoundWarning)  # A simulation looks for what is near no guess.
+        found = orbits_of_loop(flow.subject)
+        if not any(each.stable for each in found) and found.search.simulations is None:
+            found = orbits_of_loop(flow.subject, OrbitSearch(Simulations.ALWAYS))
+    stable = [each for each in found if each.stable]
+    if stable and getattr(flow.subject, "frictions", None):
+        return tuple(came_to(flow, flow.at(state_on(flow, each))) for each in stable)
+    orbits = [as_orbit(flow, each) for each in stable]
+    if orbits:
+        return tuple(
+            CameTo(MotionKind.PERIODIC, each.course, orbit=each, neutral=each.neutral) for each in orbits
+        )
+    ends = found.search.simulations
+    if ends is not None and ends.at_rest == ends.starts:
+        return (CameTo(MotionKind.REST, flow.timed(flow.rest(), time_scale(flow, flow.rest()))),)
+    grows = ends is not None and ends.diverged == ends.starts
+    return (CameTo(MotionKind.DIVERGING if grows else MotionKind.UNDECIDED),)
 
 
 def measured(flow: Flow, found: CameTo, keys: tuple[str, ...]) -> Measures | None:

@@ -12,7 +12,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.errors import TrimmerError
 from trimmer.hybrid.stretch import Ending, Instant
-from trimmer.maps.by_itself import begins_alike, came_to, measured
+from trimmer.maps.by_itself import CameTo, begins_alike, came_to, came_to_in_loop, measured
 from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.measures import Measures, at_rest, chosen, of_lines, of_orbit, of_window
 from trimmer.maps.settle import Settled, on_orbit, orbit_near, settle, strobed_sizes
@@ -24,7 +24,7 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
 from trimmer.motion.time_scale import time_scale
 from trimmer.one_orbit import LEAST_KNOWN, SAME, ClosedCurve, are_one
-from trimmer.response.flows import flow_of
+from trimmer.response.flows import flow_of, is_silent
 from trimmer.response.periodic.orbit import Orbit
 from trimmer.response.periodic.shooting import CLOSED, sizes_of
 from trimmer.response.results.response import MotionKind
@@ -127,6 +127,8 @@ class CellWork:
             return CellResult(cell.number, (_failed(error),))
         motions: list[CellMotion] = []
         keys = self.settings.measures
+        if is_silent(flow.subject):
+            return CellResult(cell.number, _searched(flow, self.settings))
         for states in cell.orbits:
             _add(motions, _motion(flow, partial(_near, flow, np.array(states), self.settings), keys))
         for start in starts:
@@ -137,26 +139,39 @@ class CellWork:
         return CellResult(cell.number, tuple(motions))
 
 
+def _searched(flow: Flow, settings: Settings) -> tuple[CellMotion, ...]:
+    """Return the stable motions of a loop that rests where it begins."""
+    try:
+        motions: list[CellMotion] = []
+        for each in came_to_in_loop(flow):
+            _add(motions, _told(flow, each, settings))
+        return tuple(motions)
+    except (TrimmerError, ArithmeticError, np.linalg.LinAlgError) as error:
+        return (_failed(error),)
+
+
 def _by_itself(flow: Flow, start: Instant, settings: Settings) -> CellMotion:
     try:
-        found = came_to(flow, start, settings.most_periods)
-        orbit, course = found.orbit, found.course
-        if course is None:
-            return CellMotion(found.kind)
-        return CellMotion(
-            found.kind,
-            0 if orbit is None else 1,
-            largest_multiplier=None
-            if orbit is None
-            else float(abs(orbit.nontrivial_multipliers).max(initial=0.0)),
-            lyapunov=found.lyapunov,
-            states=_tuples((course.begin.state if orbit is None else begins_alike(flow, course))[None]),
-            measures=measured(flow, found, settings.measures),
-            neutral=found.neutral,
-            holding=course.begin.statuses if found.kind is MotionKind.REST else (),
-        )
+        return _told(flow, came_to(flow, start, settings.most_periods), settings)
     except (TrimmerError, ArithmeticError, np.linalg.LinAlgError) as error:
         return _failed(error)
+
+
+def _told(flow: Flow, found: CameTo, settings: Settings) -> CellMotion:
+    orbit, course = found.orbit, found.course
+    if course is None:
+        return CellMotion(found.kind)
+    largest = None if orbit is None else float(abs(orbit.nontrivial_multipliers).max(initial=0.0))
+    return CellMotion(
+        found.kind,
+        0 if orbit is None else 1,
+        largest_multiplier=largest,
+        lyapunov=found.lyapunov,
+        states=_tuples((course.begin.state if orbit is None else begins_alike(flow, course))[None]),
+        measures=measured(flow, found, settings.measures),
+        neutral=found.neutral,
+        holding=course.begin.statuses if found.kind is MotionKind.REST else (),
+    )
 
 
 def _settled(flow: Flow, start: Instant, settings: Settings) -> Settled:

@@ -16,7 +16,7 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.mechanism.places import with_values
 from trimmer.motion.subject import Subject
-from trimmer.response.flows import require_subject
+from trimmer.response.flows import is_silent, require_subject
 from trimmer.response.periodic.pace import period_word, periods_of
 
 _Subject = TypeVar("_Subject", bound="Subject")
@@ -62,6 +62,8 @@ class MapInputs:
     @property
     def waited(self) -> str:
         """How long a motion is waited for at most, in words."""
+        if is_silent(self.subject):
+            return "the search for orbits"
         if self.driven:
             return periods_of(self.subject, self.settings.most_periods)
         return f"{self.settings.most_periods} periods of its slowest mode"
@@ -69,7 +71,7 @@ class MapInputs:
     @property
     def over(self) -> str:
         """The same where it may have been less, since chaos without a drive is told as soon as it is sure."""
-        return self.waited if self.driven else f"up to {self.waited}"
+        return self.waited if self.driven or is_silent(self.subject) else f"up to {self.waited}"
 
     @property
     def count(self) -> int:
@@ -132,8 +134,8 @@ def checked_inputs(mechanism: Subject, values: Mapping[str, ArrayLike], settings
     require_instance("values", values, Mapping, "a mapping of dotted places to values")
     for place in values:
         require_instance("place", place, str, "a dotted place such as plays.bridge.gap")
-    if is_silent(mechanism):
-        raise MapError(f"{SILENT}, or follow its own orbits (trimmer follow)")
+    if is_silent(mechanism) and settings.starts > 1:
+        raise MapError("starts: the orbits of a loop without a drive are searched for; leave it at 1")
     if not 1 <= len(values) <= 2:
         raise MapError(f"a map is over one place or two, not {len(values)}")
     places = tuple(place_text(parse_place(place)) for place in values)
@@ -157,14 +159,6 @@ def is_driven(subject: Subject) -> bool:
     mechanism = subject if isinstance(subject, Mechanism) else None
     clocked = mechanism is not None and bool(clocks_in(mechanism) or sines_in(mechanism))
     return clocked or subject.frequency is not None
-
-
-SILENT = "the loop has no drive, and from rest it stays there: give it one"  # Why it is in no map
-
-
-def is_silent(subject: Subject) -> bool:
-    """Say whether something rests where its motions begin, whatever it may do from elsewhere."""
-    return not isinstance(subject, Mechanism) and subject.frequency is None
 
 
 def _numbers(place: str, values: ArrayLike) -> tuple[float, ...]:

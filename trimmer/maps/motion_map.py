@@ -56,7 +56,8 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
     file as it is after the last whole cell.
 
     Args:
-        mechanism: The mechanism or loop; a loop has a drive.
+        mechanism: The mechanism or loop. Of a loop that has neither a drive nor a start each cell has the
+            stable orbits that ``periodic_orbits`` finds.
         values: Values, in SI units, by their dotted places, one place or two; the first runs along a row.
         most_periods: Drive periods to wait at most in each cell, 300 if not given; 16 samples for one, where
             these alone drive. Without a drive periods of the slowest mode, 1700 if not given.
@@ -75,7 +76,7 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
 
     Raises:
         MechanismError: if there is no such place, or a value cannot stand there with any of the others.
-        MapError: if there is not one place or two, or no value, or a loop without a drive.
+        MapError: if there is not one place or two, or no value, or several starts of a loop without a drive.
         ChoiceError: if there is no such measure.
         MapFileError: if the file cannot be gone on with.
         FileWriteError: if the file cannot be written.

@@ -111,6 +111,12 @@ def called(subject: Subject) -> str:
     return "mechanism" if isinstance(subject, Mechanism) else "loop"
 
 
+def is_silent(subject: Subject) -> bool:
+    """Say whether nothing happens where something begins, whatever it does from elsewhere: a loop at rest."""
+    without_drive = not isinstance(subject, Mechanism) and subject.frequency is None
+    return without_drive and not getattr(subject, "start", None)
+
+
 def require_subject(subject: object) -> None:
     """Check that something was given that moves.
 

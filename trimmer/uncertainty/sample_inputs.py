@@ -8,9 +8,9 @@ from trimmer.arrays import Flags, Reals
 from trimmer.design.specification.targets import Target, is_stepped
 from trimmer.design.trials.trial import MeasureOfPart, all_measures
 from trimmer.errors import TrimmerError, UncertaintyError
-from trimmer.maps.inputs import SILENT, is_silent, varied
+from trimmer.maps.inputs import varied
 from trimmer.motion.subject import Subject
-from trimmer.response.flows import require_subject
+from trimmer.response.flows import is_silent, require_subject
 from trimmer.uncertainty.distributions import Uncertainty
 from trimmer.uncertainty.indices import require_independent, saltelli_points
 from trimmer.uncertainty.points import Plan
@@ -109,7 +109,7 @@ def sample_inputs(
     settings, values = drawn_values(uncertainty, settings, indices=indices)
     require_subject(subject)
     if is_silent(subject):
-        raise UncertaintyError(SILENT)
+        raise UncertaintyError("the loop has no drive, and from rest it stays there: give it one")
     for place in uncertainty.places:
         subject.value(place)
     reasons = [_reason_against(subject, uncertainty.places, tuple(row)) for row in values.tolist()]

@@ -239,6 +239,25 @@ def test_a_closed_trimmer_whose_friction_stops_it_has_no_branch() -> None:
 CLOSED = trimmer.TrimmerLoop(THESIS, trimmer.FrictionBacklash(4e-5))
 
 
+def test_a_map_of_a_loop_that_moves_by_itself_has_its_stable_orbits() -> None:
+    """Lengths scale with the gap, and with them the forces that stop it."""
+    (stable,) = (each for each in trimmer.periodic_orbits(CLOSED) if each.stable)
+    alone = trimmer.motion_map(CLOSED, {"element.gap": [4e-5, 8e-5]}, runner=SerialRunner())
+    assert alone.peak_to_peak["element_input"][0] == pytest.approx(
+        [2 * stable.amplitude, 4 * stable.amplitude]
+    )
+    rubbed = trimmer.TrimmerLoop(
+        THESIS,
+        trimmer.FrictionBacklash(4e-5),
+        frictions=(BodyFriction("q2-q4", trimmer.CoulombFriction(1.0)),),
+    )
+    places = {"element.gap": [2e-5, 4e-5], FORCE: [0.1, 0.2, 2.0]}
+    found = trimmer.motion_map(rubbed, places, runner=SerialRunner())
+    assert found.stroke[1, 1] == pytest.approx(2 * found.stroke[0, 0], rel=1e-9) != 0.0
+    assert found.kind[2].tolist() == [trimmer.MotionKind.REST] * 2
+    assert "what they lead to with friction" in found.searched
+
+
 @pytest.mark.parametrize(
     ("ask", "told"),
     [
@@ -246,7 +265,10 @@ CLOSED = trimmer.TrimmerLoop(THESIS, trimmer.FrictionBacklash(4e-5))
         (lambda: trimmer.follow(CLOSED, "element.gp", 1e-5, 2e-5), "did you mean element.gap"),
         (lambda: trimmer.follow(CLOSED, "element.gap", "40 s", "50 s"), "'s' does not measure what m does"),
         (lambda: trimmer.follow(CLOSED, "element.gap", -1e-5, 1e-5), "gap must be positive"),
-        (lambda: trimmer.motion_map(CLOSED, {"element.gap": [1e-5]}), "the loop has no drive"),
+        (
+            lambda: trimmer.motion_map(CLOSED, {"element.gap": [1e-5]}, starts=2),
+            "starts: the orbits of a loop",
+        ),
         (lambda: trimmer.respond(CLOSED, state={"q5": 1.0}), "no state of the loop; there are q1"),
         (lambda: trimmer.respond(CLOSED, state=[1.0]), r"has the shape \(1,\), but the loop has"),
     ],

@@ -93,11 +93,6 @@ def _run(arguments: Namespace) -> int:
 
     _check(arguments)
     system = chosen_system(arguments)
-    if arguments.file is None and system.frequency is None:
-        raise OptionError(
-            "from rest the loop stays there: give it a drive (--drive HZ --amplitude M), or follow its own "
-            "orbits (trimmer follow)"
-        )
     values = varied_values(system, arguments.vary)
     measures = chosen_measures(system, arguments.measure)
     if arguments.special is not None:

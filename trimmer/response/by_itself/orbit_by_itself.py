@@ -1,14 +1,17 @@
 """The orbit of what moves without a drive: from a start, or from the search of a loop."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
+from trimmer.arrays import Reals
 from trimmer.errors import OrbitNotFoundError
 from trimmer.hybrid.stretch import Instant
 from trimmer.motion.flow import Flow
 from trimmer.response.by_itself.recurrences import once, recurring
 from trimmer.response.by_itself.self_excited import self_excited
+from trimmer.response.flows import is_silent
 from trimmer.response.periodic.orbit import Orbit, orbit_of
 from trimmer.response.periodic.shooting import Return, returned
 
@@ -49,27 +52,40 @@ def orbit_by_itself(flow: Flow) -> Orbit:
     Raises:
         OrbitNotFoundError: if there is none.
     """
-    from trimmer.loops.feedback import Feedback
-    from trimmer.loops.loops import ClosedLoop
-    from trimmer.loops.trimmer_loop import TrimmerLoop
-
-    loop = flow.subject
-    begins = isinstance(loop, Feedback) and bool(loop.start)
-    if begins or not isinstance(loop, ClosedLoop | Feedback | TrimmerLoop):
+    if not is_silent(flow.subject):
         return self_excited_orbit(flow, flow.rest())
-    from trimmer.orbits.periodic_orbits import periodic_orbits
-
-    rubs = isinstance(loop, TrimmerLoop) and bool(loop.frictions)
-    found = periodic_orbits(replace(loop, frictions=()) if isinstance(loop, TrimmerLoop) else loop)
+    found = orbits_of_loop(flow.subject)
     if not found:
         raise OrbitNotFoundError(f"the loop has no orbit to begin with: {found.message}")
-    first = next((orbit for orbit in found if orbit.stable), found[0])
-    if rubs:
-        return self_excited_orbit(flow, flow.at(np.ascontiguousarray(first.motion.log.state[0][: flow.size])))
-    state = np.ascontiguousarray(first.motion.log.state[0][: flow.size])
-    statuses = first.motion.loop.modes[int(first.motion.log.mode[0])].statuses
+    return as_orbit(flow, next((orbit for orbit in found if orbit.stable), found[0]))
+
+
+def orbits_of_loop(loop: Any, search: Any = None) -> Any:
+    """Return what ``periodic_orbits`` finds of a loop in which nothing happens at rest, without frictions."""
+    from trimmer.loops.trimmer_loop import TrimmerLoop
+    from trimmer.orbits.periodic_orbits import periodic_orbits
+
+    bare = replace(loop, frictions=()) if isinstance(loop, TrimmerLoop) else loop
+    return periodic_orbits(bare, search=search)
+
+
+def state_on(flow: Flow, found: Any) -> Reals:
+    """Return a state of an orbit that ``periodic_orbits`` found, (n,)."""
+    return np.ascontiguousarray(found.motion.log.state[0][: flow.size])
+
+
+def as_orbit(flow: Flow, found: Any) -> Orbit:
+    """Return what ``periodic_orbits`` found as an orbit of the loop's flow; with frictions what it leads to.
+
+    Raises:
+        OrbitNotFoundError: if it cannot be followed.
+    """
+    state = state_on(flow, found)
+    if getattr(flow.subject, "frictions", ()):
+        return self_excited_orbit(flow, flow.at(state))
+    statuses = found.motion.loop.modes[int(found.motion.log.mode[0])].statuses
     begin = replace(flow.at(state), statuses=statuses)
-    shot = returned(Return(flow, 0), flow.at(state, like=begin), first.period)
+    shot = returned(Return(flow, 0), flow.at(state, like=begin), found.period)
     if shot is None:
         raise OrbitNotFoundError("the orbit of the loop cannot be followed")
     return orbit_of(flow, once(flow, shot), 0)
