@@ -16,16 +16,9 @@ READ_FIRST = PROJECT / "README.md"
 """The others are run, whole, by `make docs` too, and otherwise with the slow tests."""
 
 
-@pytest.mark.parametrize(
-    "page",
-    [
-        pytest.param(page, id=name, marks=[] if page == READ_FIRST else [pytest.mark.slow])
-        for page, name in zip(RUN, NAMES, strict=True)
-    ],
-)
-def test_fast_blocks(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_fast_blocks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("MPLBACKEND", "agg")
-    run_page(page, tmp_path, slow=False)
+    run_page(READ_FIRST, tmp_path, slow=False)
 
 
 @pytest.mark.slow

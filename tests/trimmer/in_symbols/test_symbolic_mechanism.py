@@ -216,7 +216,7 @@ def test_random_mechanisms_pass_all_checks_of_their_derivation(mechanism):
 
 
 @pytest.mark.slow
-@settings(max_examples=100)
+@settings(max_examples=30)
 @given(mechanisms(most_bodies=6))
 def test_larger_mechanisms_pass_all_checks_of_their_derivation(mechanism):
     assert_sources_are_usable(mechanism)
