@@ -185,6 +185,7 @@ def test_without_a_drive_it_rests() -> None:
     free = TEXT.replace("frequency = 0.2", "").replace('drive = { on = "mass", amplitude = 2.0 }', "")
     found = sampled(sample_file_of_text(free, "free.toml"), SETTINGS)
     assert found.kinds == {"rest": len(found.trials)}
+    assert "for at most 1700 periods of its slowest mode" in found.message
     assert "1700 periods of its slowest mode" in found.message
 
 
