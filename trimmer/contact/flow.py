@@ -225,7 +225,9 @@ class MechanismFlow(Flow):
 
     def with_modes(self, subject: Callable[[], Subject], modes: Modes[Any]) -> MechanismFlow:
         """Return the motion of another mechanism, in the same frame, whose modes are known."""
-        return _OfModes(subject, self.frame, modes, self.parts)
+        flow = object.__new__(_OfModes)
+        vars(flow).update(made=subject, frame=self.frame, modes=modes, parts=self.parts)
+        return flow
 
     @cached_property
     def axes(self) -> Mapping[str, tuple[int, ...]]:
@@ -380,15 +382,6 @@ class MechanismFlow(Flow):
 
 class _OfModes(MechanismFlow):
     """The motion of a mechanism whose modes are known; the mechanism is made when it is asked for."""
-
-    def __init__(
-        self,
-        subject: Callable[[], Subject],
-        frame: Frame | None,
-        modes: Modes[MechanismSystem],
-        parts: tuple[Part, ...],
-    ) -> None:
-        vars(self).update(made=subject, frame=frame, modes=modes, parts=parts)
 
     @cached_property
     def mechanism(self) -> Mechanism:

@@ -14,6 +14,7 @@ import numpy as np
 from trimmer.arrays import Integers, Reals
 from trimmer.branches.period_maps.value_flow import Slopes, changing
 from trimmer.hybrid.tables import Modes
+from trimmer.kept_property import cached_property
 from trimmer.motion.flow import Flow
 
 CURVED = 2.0**-44  # Share of its modulus by which an entry may miss the polynomial
@@ -46,7 +47,7 @@ class Curved:
 
     def holds(self, value: float) -> bool:
         """Say whether a value is among them."""
-        return bool(self.values[0] <= value <= self.values[2] or self.values[2] <= value <= self.values[0])
+        return bool((self.values[0] - value) * (self.values[2] - value) <= 0.0)
 
     def slopes(self, value: float, modes: Modes[Any]) -> Slopes | None:
         """Return the derivatives of the equations of modes, by their numbers there; None if not known."""
@@ -61,10 +62,9 @@ class Curved:
 
     def pace(self, value: float) -> float:
         """Return the derivative of the logarithm of the drive's period, per unit."""
-        periods = [each.period for each in self.flows[:3]]
-        if periods[0] == periods[1] == periods[2]:
+        if not self.flows[0].period:
             return 0.0
-        frequencies = 1.0 / np.array(periods)
+        frequencies = np.array([1.0 / each.period for each in self.flows[:3]])
         return -float(self._rates(value) @ frequencies / (self._shares(value) @ frequencies))
 
     def _stacked(self, modes: Modes[Any]) -> tuple[list[Reals], Integers] | None:
@@ -114,16 +114,16 @@ class Curved:
         return bool((missed <= CURVED * abs(arrays).max(axis=0)).all())
 
     def _shares(self, value: float) -> Reals:
-        """Return what weighs three values in a polynomial of second degree through them (Lagrange)."""
-        (a, b, c), x = self.values[:3], value
-        return np.array([(x - b) * (x - c), (x - a) * (x - c), (x - a) * (x - b)]) / self._apart
+        """Return what weighs three values in a polynomial of second degree through them, (3,)."""
+        x = value / self.values[1]
+        shares: Reals = np.linalg.solve(self._powers, [1.0, x, x * x])
+        return shares
 
     def _rates(self, value: float) -> Reals:
-        """Return what weighs them in its derivative."""
-        a, b, c = self.values[:3]
-        return (2.0 * value - np.array([b + c, a + c, a + b])) / self._apart
+        """Return what weighs them in its derivative, per unit."""
+        unit = float(self.values[1])
+        return np.asarray(np.linalg.solve(self._powers, [0.0, 1.0, 2.0 * value / unit]) / unit)
 
-    @property
-    def _apart(self) -> Reals:
-        a, b, c = self.values[:3]
-        return np.array([(a - b) * (a - c), (b - a) * (b - c), (c - a) * (c - b)])
+    @cached_property
+    def _powers(self) -> Reals:
+        return np.vander(self.values[:3] / self.values[1], increasing=True).T
