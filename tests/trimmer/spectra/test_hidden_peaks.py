@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.quick import quick
+from tests.quick import examples, quick
 from tests.trimmer.spectra.test_peaks import SAMPLES, sines
 from trimmer import peaks
 from trimmer.spectra import Window, amplitude_spectrum
@@ -33,7 +33,9 @@ def errors(level: int, seed: int, noise: float = NOISE) -> tuple[np.ndarray, np.
     return off / [[1.0, 1.0], [1.0, amplitudes[1]]], off / uncertain, len(found) - 2
 
 
-def check(level: int, signals: int) -> None:
+@pytest.mark.parametrize("level", quick(LEVELS, 2))
+def test_a_small_line_beside_a_large_one_is_as_exact_as_it_says(level: int) -> None:
+    signals = examples(40, 400)
     results = [errors(level, 1000 * level + number) for number in range(signals)]
     pulls = np.array([pull for _, pull, _ in results])
     assert np.abs(pulls).max() < 7.0  # all lines are found: a missed one is off by 4 bins
@@ -41,17 +43,6 @@ def check(level: int, signals: int) -> None:
     np.testing.assert_allclose(pulls.std(axis=0), 1.0, atol=0.15 + spread)
     np.testing.assert_allclose(pulls.mean(axis=0), 0.0, atol=2.0 * spread)
     assert sum(more for _, _, more in results) <= max(3, 0.03 * signals)  # 1 % of false alarms is asked for
-
-
-@pytest.mark.parametrize("level", quick(LEVELS, 2))
-def test_a_small_line_beside_a_large_one_is_as_exact_as_it_says(level: int) -> None:
-    check(level, 40)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("level", LEVELS)
-def test_a_thousand_small_lines_are_as_exact_as_they_say(level: int) -> None:
-    check(level, 1000)
 
 
 @pytest.mark.parametrize("level", LEVELS)
