@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from trimmer.arrays import Integers, Reals
     from trimmer.motion.course import Course
 
+ROUNDING = 8 * float(np.finfo(float).eps)  # Of a sum, as a share of the moduli of its terms
 NEWTON_STEPS = 5  # Steps of Newton's method from between two nodes to the place of an extreme
 
 
@@ -25,9 +26,21 @@ class TurningPoints(NamedTuple):
 
 
 def extremes(course: Course, signal: Signal) -> tuple[float, float]:
-    """Return the smallest and the largest value of a signal over a motion, in its unit."""
+    """Return the smallest and the largest value of a signal over a motion, in its unit.
+
+    They are one where they differ by the rounding of the terms of which it is the sum.
+    """
     values = turning_points(course, signal).values
-    return float(values.min()), float(values.max())
+    smallest, largest = float(values.min()), float(values.max())
+    if largest > smallest and largest - smallest <= ROUNDING * _terms(course, signal):
+        return (smallest, smallest)
+    return smallest, largest
+
+
+def _terms(course: Course, signal: Signal) -> float:
+    """Return the largest sum of moduli of the terms of a signal at events, in its unit."""
+    _, rows, states = course.points
+    return float(np.einsum("ij,ij->i", abs(states), abs(row_of_each(course, signal)[rows])).max())
 
 
 def largest(course: Course, signal: Signal) -> float:

@@ -96,12 +96,14 @@ class Measures:
         count = self.period_count
         omega = 2 * np.pi * self.periods / (duration * count)
         amplitudes = fourier(self.course, apart, omega, HARMONICS * count)
+        ranges = [extremes(self.course, each.signal) for each in outputs.values()]
+        moves = np.array([largest > smallest for smallest, largest in ranges])
         return {
             name: OutputMeasures(
-                *extremes(self.course, output.signal),
+                *ranges[place],
                 float(means[place]),
-                float(rms[place]),
-                amplitudes[:, place],
+                float(rms[place] * moves[place]),
+                amplitudes[:, place] * moves[place],
                 count,
                 output.speed * duration,
             )
