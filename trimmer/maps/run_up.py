@@ -109,7 +109,8 @@ def _values(
     if mechanism.frequency is None:
         raise MapError(
             f"the {called(mechanism)} has no drive, so that there are no periods to count: give it a "
-            "frequency, or follow its own motion (trimmer follow)"
+            "frequency, or follow its own motion (trimmer follow)",
+            place=("frequency",),
         )
     if begin == end:
         raise MapError(f"{place}: the interval has no length, from {begin:.10g} to {end:.10g}")

@@ -211,7 +211,7 @@ def _only(mechanism: Mechanism) -> str:
     followed = {each.reference for each in mechanism.controllers.values()}
     steps = [each for each in named if each in followed] or named
     if not steps:
-        raise MechanismError(f"nothing steps; {there}")
+        raise MechanismError(f"nothing steps; {there}", place=("references",))
     if len(steps) > 1:
         raise MechanismError(f"{listed(steps)} are steps; choose one (--reference {steps[0]})")
     return steps[0]
