@@ -13,6 +13,7 @@ import re
 from fractions import Fraction
 from typing import Any, TypedDict, Unpack
 
+import numpy as np
 import sympy
 
 from report.judging.claim import Check, ClaimPart, Comparison, Confirmation, CopyFault, Slip, Uncheckable
@@ -26,6 +27,8 @@ from report.judging.verdict import Certainty, Severity, Verdict
 DECIMAL = re.compile(r"[-+]?\d+(\.\d*)?([eE][-+]?\d+)?")
 
 
+Findings = bool | tuple[bool | np.bool, ...]
+"""What was found: one thing, or several of which all have to hold."""
 THE_PAGE = "the page itself decides; only a text read from it by machine was at hand"
 
 
@@ -67,7 +70,7 @@ def digits(
 def assertion(
     label: str,
     statement: str,
-    derived: bool | tuple[bool, ...],
+    derived: Findings,
     evidence: str,
     *,
     method: str,
@@ -167,7 +170,7 @@ def small(means: str, value: float, bound: float = 1e-9) -> Confirmation:
     return Confirmation(one_line(means), Small(value, bound))
 
 
-def so(means: str, holds: bool | tuple[bool, ...]) -> Confirmation:
+def so(means: str, holds: Findings) -> Confirmation:
     """Confirm a finding by another way to it, of which is known whether it leads to the same finding.
 
     If it is seen by several things, all have to hold.
@@ -175,5 +178,5 @@ def so(means: str, holds: bool | tuple[bool, ...]) -> Confirmation:
     return Confirmation(one_line(means), Equal(_hold(holds), True))
 
 
-def _hold(findings: bool | tuple[bool, ...]) -> bool:
+def _hold(findings: Findings) -> bool:
     return all(findings) if isinstance(findings, tuple) else bool(findings)

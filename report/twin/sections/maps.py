@@ -87,7 +87,7 @@ def speed(known: Evidence) -> Observed:
         not at 72 or 76 Hz, so nobody should aim at it. Gaps up to {1e6 * numbers.common_reach:.0f} µm repeat
         with the drive at all speeds.
     """)
-    yield so("every cell of the band repeats with the drive", bool(numbers.single[calm].all()))
+    yield so("every cell of the band repeats with the drive", tuple(numbers.single[calm]))
     yield so(
         "at 74 Hz every cell does, at 72 and 76 Hz not",
         numbers.reach(74.0) == numbers.first[-1] > max(numbers.reach(72.0), numbers.reach(76.0)),

@@ -84,7 +84,7 @@ def chaos(known: Evidence) -> Observed:
         LYAPUNOV[0] + exponent.uncertainty < exponent.value < LYAPUNOV[1] - exponent.uncertainty,
     )
     yield so("spectrum over 220 drive periods", case.twin.line(1) > BELOW * floor)
-    yield so("every one of these cells is chaotic", bool(friction.chaotic[cells].all()))
+    yield so("every one of these cells is chaotic", tuple(friction.chaotic[cells]))
     yield small("the thesis's model has settled", case.frozen.repeat, RELATIVE)
 
 

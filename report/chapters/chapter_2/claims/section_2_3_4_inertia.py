@@ -185,7 +185,7 @@ def imaginary_signs(_: Evidence) -> Record:
     inertia = simplified_describing_function(IN_GAP, A, (GAP, A * inertia_contact_ratio()))
     turned = sympy.expand_complex(inertia).as_real_imag()[1]
     square = -((1 - sympy.cos(CONTACT)) ** 2) / sympy.pi
-    lags = all(sampled_gain(InertiaBacklash(1.0), each, 1.0).imag < 0 for each in AMPLITUDES)
+    lags = tuple(sampled_gain(InertiaBacklash(1.0), each, 1.0).imag < 0 for each in AMPLITUDES)
     yield assertion(
         "inertia-controlled backlash",
         "the imaginary part is negative",
@@ -199,7 +199,7 @@ def imaginary_signs(_: Evidence) -> Record:
     # An amplitude above half the gap, so that the sign shows.
     beyond = sympy.factor(friction.subs(A, GAP / 2 + assumed.positive("d")))
     library = control.friction_backlash_nonlinearity(1.0)
-    negative = all(library.describing_function(each).imag < 0 for each in AMPLITUDES)
+    negative = tuple(library.describing_function(each).imag < 0 for each in AMPLITUDES)
     yield assertion(
         "friction-controlled backlash",
         "the imaginary part is positive",

@@ -60,7 +60,7 @@ def odd_harmonics(known: Evidence) -> Record:
     yield assertion(
         "where they come from",
         "they come from Coulomb friction",
-        bool((np.diff([thirds, fifths]) > 0).all()),
+        tuple(np.diff([thirds, fifths]).ravel() > 0),
         f"without friction the model is linear and has none; {found}, beside 1.51 mm",
         method=driven.BY_LISTING,
         second=driven.confirm_friction(known),

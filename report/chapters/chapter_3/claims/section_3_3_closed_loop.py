@@ -86,7 +86,7 @@ def suppression(known: Evidence) -> Record:
     yield assertion(
         "amplitude",
         "the amplitude of the limit cycle falls as friction rises",
-        bool((np.diff([run.amplitude for run in lasting]) < 0).all()),
+        tuple(np.diff([run.amplitude for run in lasting]) < 0),
         ", ".join(f"{1e6 * run.amplitude:.0f} µm with {run.force:g} N" for run in lasting),
         method=RISING,
         second=close(f"harmonic balance at {weak.force} N", balance, weak.amplitude / EXPERIMENT_GAP, 0.02),

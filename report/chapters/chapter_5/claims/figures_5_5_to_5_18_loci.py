@@ -222,7 +222,7 @@ def viscous(known: Evidence) -> Record:
         [complex(-1 / load.describing_function(1 / ratio, 1.0)) for load in loads] for ratio in (1e-3, 2.0)
     )
     runs = zip(starts, ends, strict=True)
-    to_the_right = all(abs(start + 1) < 0.01 < (end - start).real for start, end in runs)
+    to_the_right = tuple(abs(start + 1) < 0.01 < (end - start).real for start, end in runs)
     sampled = -1 / sampled_gain(loads[-1], 0.5, 1.0)
     yield assertion(
         r"with growing $\beta = b/A$",

@@ -22,11 +22,11 @@ def coulomb_friction(known: Evidence) -> Record:
     numbers, runs = known.cycles.equivalent, known.motion.released.by_force
     branch, both = numbers.in_place, numbers.in_place_both_channels
     merger, stable = branch.merger, branch.stable
-    becomes_smaller = bool(np.all(np.diff([run.amplitude for run in runs if run.goes_on]) < 0))
+    becomes_smaller = tuple(np.diff([run.amplitude for run in runs if run.goes_on]) < 0)
     yield assertion(
         "amplitude",
         "friction between cutter and guard makes the limit cycle smaller",
-        bool(np.all(np.diff(stable.amplitude) < 0)),
+        tuple(np.diff(stable.amplitude) < 0),
         f"""
         from {stable.amplitude[0]:.3f} gaps without friction to {merger.amplitude:.3f} gaps at $F_c/b$ =
         {merger.force_per_gap:.0f} N/m
@@ -42,7 +42,7 @@ def coulomb_friction(known: Evidence) -> Record:
     yield assertion(
         "existence",
         "enough friction ends it",
-        tuple(bool(np.all(np.diff(each.force_per_gap) > 0)) for each in (stable, branch.unstable)),
+        tuple(rise for each in (stable, branch.unstable) for rise in np.diff(each.force_per_gap) > 0),
         f"at $F_c$ = {share:.4f} $k_2 b$ it meets the unstable one, and beyond there is none",
         method=BRANCH_METHOD,
         second=so(f"exact simulation of both channels, {lasting}", between),
