@@ -14,7 +14,7 @@ from trimmer.command_line.main import main
 from trimmer.design import DesignSettings, NumberRole, VariedNumber
 from trimmer.design.motions import motions_from_starts, with_neighbours
 from trimmer.mechanism import Body, Output, Pin, Play
-from trimmer.one_orbit import COARSE, ClosedCurve, are_one
+from trimmer.one_orbit import COARSE, ClosedCurve, are_one, inaccuracy
 
 OMEGA = 7.5  # Here a motion with contact coexists with one without
 STARTS = {"mass.displacement": np.linspace(-20.0, 20.0, 3), "mass.velocity": np.linspace(-150.0, 150.0, 3)}
@@ -49,6 +49,14 @@ def test_guesses_that_lead_to_one_orbit_of_a_loop_give_one() -> None:
     near += [(predicted.amplitude, predicted.omega / several) for several in (3, 15, 25)]  # of many periods
     (again,) = periodic_orbits(loop, near)
     assert again.period == pytest.approx(predicted.period, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("multipliers", "known"),
+    [([0.99, -0.99], 1e-10), ([-1.0, -0.5], 1e-12), ([1.0, 0.9], 1e-11), ([], 1e-12)],
+)
+def test_a_state_is_known_as_well_as_the_slowest_return_tells(multipliers: list[float], known: float) -> None:
+    assert inaccuracy(1e-12, np.array(multipliers)) == pytest.approx(known)
 
 
 def rattling() -> Mechanism:

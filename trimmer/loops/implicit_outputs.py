@@ -89,7 +89,7 @@ def without_rounding(values: Reals, sizes: Reals) -> Reals:
 
 def _differentiated(row: Reals, opened: OpenMode, column: int, label: str) -> Reals:
     """Differentiate a row along the flow until the output of that column acts on its rate."""
-    for _ in range(opened.flow.shape[0]):
+    for _ in range(len(opened.flow)):
         if acts(row, opened.push[:, column]):
             return row
         row = row @ opened.flow

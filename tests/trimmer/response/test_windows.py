@@ -43,6 +43,7 @@ def test_a_torus_has_the_numbers_of_samples_of_the_same_motion(torus: Response, 
         lines = abs(2 * wave @ (values - values.mean())) / len(steps)
         assert [found["harmonics"][0], found["harmonics"][2]] == pytest.approx(lines, rel=1e-2)
         frequencies = np.array(content["spectrum"]["frequencies"])
+        assert frequencies[-1] == pytest.approx(32 * mechanism.frequency)
         density = np.array(content["spectrum"]["densities"][name])
         assert density.sum() * frequencies[1] == pytest.approx(values.var(), rel=0.05)
         assert frequencies[np.argmax(density)] == pytest.approx(mechanism.frequency, rel=1e-9)
