@@ -12,6 +12,7 @@ import pytest
 from trimmer import ContactLaw, Mechanism
 from trimmer.branches.period_maps.driven_map import DrivenMap
 from trimmer.contact.flow import MechanismFlow
+from trimmer.motion.part import Phase
 
 PLACES = (
     *("frequency", "plays.bridge.gap", "plays.bridge.damping", "plays.bridge.stiffness"),
@@ -51,6 +52,12 @@ def test_the_derivative_is_that_of_the_end(
     numeric = (-1.0 if mirrored else 1.0) * (ends[0] - ends[1]) / (2.0 * step)
     scaled = (passage.rate() - numeric) * value / passage.sizes
     assert abs(scaled).max() < 5e-6
+
+
+def test_what_is_never_touched_has_no_shortest_contact(twin: Mechanism, state: np.ndarray) -> None:
+    wide = DrivenMap(twin.with_value("plays.bridge.gap", 1.0), "frequency", twin.frequency)
+    passage = wide.passage(twin.frequency, state)
+    assert passage.shortest("bridge", Phase.UPPER) == np.inf and not passage.opens("bridge", Phase.UPPER)
 
 
 def test_where_a_number_can_be_no_larger_the_difference_is_taken_below(
