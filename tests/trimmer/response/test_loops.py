@@ -228,6 +228,15 @@ def test_a_closed_trimmer_follows_its_limit_cycle_in_proportion_to_its_gap() -> 
     assert last.outputs["element_input"].peak_to_peak == pytest.approx(2.2 * orbit.amplitude, rel=1e-9)
 
 
+def test_an_open_loop_that_reverses_at_quarters_of_its_period_is_followed() -> None:
+    """The start of the period is amid a segment then. The friction alone drives what is linear behind it."""
+    rubs = trimmer.CoulombFriction(0.5)
+    loop = trimmer.TrimmerLoop(THESIS, rubs, trimmer.Drive(5e-4, frequency=269.0), channels="displacement")
+    branch = trimmer.follow(loop, "element.force", 0.5, 0.75, settings=QUIET)
+    first, last = (branch.points[at].outputs["output"].peak_to_peak for at in (0, -1))
+    assert last == pytest.approx(1.5 * first, rel=1e-12)
+
+
 def test_a_closed_trimmer_whose_friction_stops_it_has_no_branch() -> None:
     rubs = (BodyFriction("q2-q4", trimmer.CoulombFriction(2.0)),)
     loop = trimmer.TrimmerLoop(THESIS, trimmer.FrictionBacklash(4e-5), frictions=rubs)

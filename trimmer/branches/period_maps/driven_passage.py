@@ -150,12 +150,13 @@ class DrivenPassage:
         period, root = self.flow.period, self.map
         while root.single is not None:
             root = root.single
-        times = np.unique(self.course.times % (root.length * period))
-        if not len(times) or (self.map.share is not None and is_amid(times, root.length * period)):
+        times, begun = np.unique(self.course.times % (root.length * period)), self.map.share or 0.0
+        share = begun
+        if len(times) and not (self.map.share is not None and is_amid(times, root.length * period)):
+            share = (begun + amid_longest(times, root.length * period) / period) % root.length
+        if share == begun:
             self.map.begin_near(self.flow, self.course)
             return None
-        begun = self.map.share or 0.0
-        share = (begun + amid_longest(times, root.length * period) / period) % root.length
         ahead = share - begun if share >= begun else share - begun + self.map.length
         course = self.flow.timed(self.begin, ahead * period)
         state, moved = course.end.state, course.tangents(tangent[:-1, None])[:, 0]
