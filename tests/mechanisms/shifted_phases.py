@@ -14,7 +14,7 @@ from trimmer.response import MechanismOrbit, MotionKind, Response
 
 PERIODS = 300  # Drive periods to wait
 CLOSE = 1e-6  # Difference of multipliers, measures and special points, relative to their scale
-POINTS = 25  # Orbits of a branch
+POINTS = 40  # Orbits of a branch
 
 
 def shifted(mechanism: Mechanism, share: float) -> Mechanism:

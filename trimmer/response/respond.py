@@ -157,7 +157,7 @@ class _Search:
         told = f"It settles within {within} to {orbit.sentence}."
         if agrees is not None:
             other = "the same" if agrees else "something else"
-            told += f" From a start a little beside it settles to {other}."
+            told += f" A start a little beside this one settles to {other}."
         return _settled(orbit, settling.periods, agrees, told)
 
     def _by_itself(self, instant: Instant) -> tuple[SettledMotion, float]:

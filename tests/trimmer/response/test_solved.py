@@ -213,7 +213,7 @@ def test_slow_approach_with_impacts_is_decided() -> None:
     assert orbit.stable
     assert orbit.events_per_period > 0
     assert (response.motion.drive_periods > 100, response.motion.neighbour_agrees) == (True, True)
-    assert "From a start a little beside it settles to the same." in response.message
+    assert "A start a little beside this one settles to the same." in response.message
     late = orbit.flow.strobe(orbit.flow.rest(), 40_000).states[-1]
     np.testing.assert_allclose(late, orbit.instant.state, atol=1e-9)
 

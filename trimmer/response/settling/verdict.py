@@ -179,4 +179,4 @@ def _told(seen: Seen, waited: int, agrees: bool | None) -> str:
         )
     if agrees is None:
         return told
-    return told + f" From a start a little beside it {'does not settle either' if agrees else 'settles'}."
+    return told + f" A start a little beside this one {'does not settle either' if agrees else 'settles'}."
