@@ -81,7 +81,9 @@ def at_rest(flow: Flow, measures: Measures) -> Measures:
     if flow.modes.system.layout.orders:
         return measures
     swings, shakes = (dict.fromkeys(each, 0.0) for each in (measures.peak_to_peak, measures.rms_acceleration))
-    return replace(measures, peak_to_peak=swings, rms_acceleration=shakes)
+    carried = any(pin.velocity for pin in getattr(flow.subject, "pins", {}).values())
+    wears = measures.wear_power if carried else dict.fromkeys(measures.wear_power, 0.0)
+    return replace(measures, peak_to_peak=swings, rms_acceleration=shakes, wear_power=wears)
 
 
 def of_window(flow: Flow, course: Course, periods: int) -> Measures:

@@ -37,7 +37,8 @@ def _configure(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--output",
         metavar="NAME",
-        help="output of the mechanism or loop that was measured (default: the only one, output of a loop)",
+        help="output of the mechanism or loop that was measured (default: that of the column's name, the "
+        "only one, output of a loop)",
     )
     add_motion_options(
         parser,
@@ -61,12 +62,12 @@ def _run(arguments: Namespace) -> int:
         raise OptionError("name the mechanism (--against FILE), or choose a loop (--element, --drive)")
     if arguments.against is None:
         subject = chosen_loop(arguments)
-        output = _output_of_loop(subject, arguments.output)
+        chosen, output = chosen_recording(arguments), _output_of_loop(subject, arguments.output)
     else:
         refuse_loop_options(arguments, but=("drive",))
         subject = mechanism_with(arguments.against, arguments.set)
-        output = chosen_output(arguments.against, subject, arguments.output)
-    chosen = chosen_recording(arguments)
+        chosen = chosen_recording(arguments)
+        output = chosen_output(arguments.against, subject, chosen.signal, arguments.output)
     comparison, told = compared_motion(arguments, chosen.signal, subject, output)
     if arguments.plot is not None:
         write_picture(arguments, comparison_figure(comparison))
@@ -76,11 +77,13 @@ def _run(arguments: Namespace) -> int:
     return 0
 
 
-def chosen_output(against: Path, mechanism: Mechanism, output: str | None) -> str:
-    """Choose the output that is compared."""
+def chosen_output(against: Path, mechanism: Mechanism, signal: Signal, output: str | None) -> str:
+    """Choose the output that is compared: the one that is named, as the signal is, or the only one."""
     names = list(mechanism.outputs)
     if output is None and len(names) == 1:
         return names[0]
+    if output is None and signal.name in names:
+        return signal.name
     if output is None:
         listed = ", ".join(names) or "none"
         raise OptionError(f"{against}: choose the output that was measured (--output): {listed}")

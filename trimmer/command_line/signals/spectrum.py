@@ -188,8 +188,7 @@ def _against(
 
     mechanism = mechanism_with(arguments.against, arguments.set)
     named = arguments.displacement if is_given(arguments, "displacement") else None
-    named = signal.name if named is None and signal.name in mechanism.outputs else named
-    output = chosen_output(arguments.against, mechanism, named)
+    output = chosen_output(arguments.against, mechanism, signal, named)
     comparison, _ = compared_motion(arguments, signal, mechanism, output)
     drive = arguments.drive if mechanism.frequency is None else comparison.frequency
     modes = [mode.frequency for state in linear_states(mechanism, ()) for mode in state.modes]
