@@ -115,6 +115,7 @@ def test_the_draw_allows_few_cells_that_do_not_repeat_to_end_otherwise(friction,
         check_cells([said], 7, 3)
 
 
+@pytest.mark.slow
 def test_cells_that_were_computed_again_end_the_section_on_maps_and_no_other(evidence):
     ends = {each.id: each.items[-1].id for each in twin_chapter(evidence, 3).sections}
     assert [name for name, end in ends.items() if end == "twin-cells"] == [maps.SECTION.id]

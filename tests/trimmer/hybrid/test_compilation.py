@@ -68,6 +68,7 @@ def test_nothing_is_compiled_at_import() -> None:
     subprocess.run([sys.executable, "-c", IMPORT_ALONE], check=True, timeout=120)
 
 
+@pytest.mark.slow
 def test_arguments_of_the_same_classes_have_the_same_types(project_folder: Path) -> None:
     """Only then may the machine code be entered without a look at each array."""
     words = [sys.executable, "-c", SAME_TYPES, str(project_folder / "examples")]
