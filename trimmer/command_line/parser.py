@@ -8,7 +8,7 @@ import sys
 from argparse import Action, ArgumentError, ArgumentParser, ArgumentTypeError, Namespace, _SubParsersAction
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
-from typing import Any, NoReturn, TextIO
+from typing import Any, NoReturn, Self, TextIO
 
 from trimmer.errors import TrimmerError
 from trimmer.messages import listed, near_match, printable, shown_value
@@ -30,6 +30,11 @@ _NEGATIVE_NUMBER = re.compile(
 
 class OptionError(TrimmerError, ValueError):
     """An option that is missing, not used, or has a value that cannot be used."""
+
+    @classmethod
+    def of(cls, error: ValueError) -> Self:
+        """Return what a call says of values that came from options."""
+        return cls(str(error), place=getattr(error, "place", ()))
 
 
 class Parser(ArgumentParser):

@@ -83,6 +83,21 @@ class SampledControllers:
             self._known[steady] = self._sampling(modes, number)
         return self._known[steady]
 
+    def summed(self, modes: Modes[Any], number: int, largest: Reals) -> Reals:
+        """Return how large entries must be to count beside what samplers add; see ``Clockwork.summed``."""
+        reach, summed = largest.copy(), np.zeros_like(largest)
+        for sampler, rows in zip(self.samplers, abs(self.sampling(modes, number)[1][:, WITHIN]), strict=True):
+            places, (waiting, acting) = list(sampler.places), sampler.acting
+            # What was demanded last comes last, and goes through all places before it to where it acts.
+            for place, row in [*zip(places, rows, strict=False)][::-1]:
+                reach[place] = summed[place] = max(reach[place], row @ reach)
+            read = rows[: len(places), places] * (1.0 - np.eye(len(places)))
+            enough = np.divide(summed[places, None], read, out=np.full_like(read, np.inf), where=read > 0)
+            least = enough.min(axis=0, initial=np.inf)
+            summed[places] = np.maximum(summed[places], np.where(least < np.inf, least, 0.0))
+            summed[acting] = summed[waiting]
+        return summed
+
     def _sampling(self, modes: Modes[Any], number: int) -> tuple[Reals, Reals]:
         names, size = list(self.layout.held), self.layout.size
         height = max(len(each.places) for each in self.samplers)

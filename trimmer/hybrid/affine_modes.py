@@ -130,11 +130,11 @@ class AffineModes(Generic[_System]):
     def numbers_alike(self, modes: Modes[Any]) -> bool:
         """Say whether other modes have the numbers here that they have there, and their resets."""
         own, count = self.first, len(modes.statuses)
-        if own.statuses[:count] != modes.statuses or not modes.tabulated:
-            return own.statuses[:count] == modes.statuses
-        reset = modes.tables.reset[:count]
-        alike = own.tables.reset.shape[1:] == reset.shape[1:]
-        return alike and bool((own.tables.reset[:count] == reset)[reset != NO_RESET].all())
+        alike = own.statuses[:count] == modes.statuses
+        if not alike or not modes.tabulated:
+            return alike
+        here, there = own.tables.reset[:count], modes.tables.reset[:count]
+        return here.shape[1:] == there.shape[1:] and bool((here == there)[there != NO_RESET].all())
 
     def at(self, share: float, system: _System) -> Modes[_System]:
         """Return the modes of the system at a share of the way from the first value to the last."""

@@ -121,6 +121,18 @@ class Clockwork(Protocol):
             either side, (c, 3, h, N), both of the state just before.
         """
 
+    def summed(self, modes: Any, number: int, largest: Reals) -> Reals:
+        """Return how large entries of a state must be to count beside what samplers add to them, or they to.
+
+        Args:
+            modes: The modes.
+            number: Of a mode.
+            largest: How large the entries become, (N,).
+
+        Returns:
+            That, (N,); 0 for what samplers do not write.
+        """
+
 
 class Layout(Protocol):
     """Where in the extended state what is."""

@@ -9,7 +9,7 @@ from trimmer.arrays import Reals
 from trimmer.errors import DivergingMotionError, OrbitNotFoundWarning
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.hybrid.system import NOTHING
-from trimmer.maps.measures import Measures, at_rest, chosen, of_orbit, of_window
+from trimmer.maps.measures import Measures, chosen, of_orbit, of_window
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.time_scale import time_scale
@@ -101,10 +101,9 @@ def measured(flow: Flow, found: CameTo, keys: tuple[str, ...]) -> Measures | Non
     """Return the measures of a motion over one period of its own, or over returns, with further ones."""
     if found.course is None or found.course.ending is not Ending.REACHED_END:
         return None
-    count = found.returns
-    own = of_orbit(flow, found.course, 1) if count == 1 else of_window(flow, found.course, count)
-    own = at_rest(flow, own) if found.kind is MotionKind.REST else own
-    return replace(own, chosen=chosen(flow, found.course, 1, count, keys)) if keys else own
+    course, count, rests = found.course, found.returns, found.kind is MotionKind.REST
+    own = of_orbit(flow, course, 1, rests=rests) if count == 1 else of_window(flow, course, count)
+    return replace(own, chosen=chosen(flow, course, 1, count, keys, rests=rests)) if keys else own
 
 
 def begins_alike(flow: Flow, course: Course) -> Reals:

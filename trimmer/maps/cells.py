@@ -14,7 +14,7 @@ from trimmer.errors import TrimmerError
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.maps.by_itself import CameTo, begins_alike, came_to, came_to_in_loop, measured
 from trimmer.maps.inputs import Settings, varied
-from trimmer.maps.measures import Measures, at_rest, chosen, of_lines, of_orbit, of_window
+from trimmer.maps.measures import Measures, chosen, of_lines, of_orbit, of_window
 from trimmer.maps.settle import Settled, on_orbit, orbit_near, settle, strobed_sizes
 from trimmer.mechanism.coordinates import radius_of
 from trimmer.mechanism.kinds import Kind
@@ -242,7 +242,8 @@ def _measured(flow: Flow, settled: Settled, motion: CellMotion, keys: tuple[str,
     assert motion.measures is not None
     orbit = settled.orbit
     if orbit is not None:
-        found = chosen(flow, orbit.course, orbit.periods, orbit.periods, keys)
+        rests = motion.kind is MotionKind.REST
+        found = chosen(flow, orbit.course, orbit.periods, orbit.periods, keys, rests=rests)
     else:
         found = chosen(*flow.travelling(flow.course(settled.end, WINDOW)), 1, WINDOW, keys)
     return replace(motion, measures=replace(motion.measures, chosen=found))
@@ -271,14 +272,14 @@ def _described(flow: Flow, settled: Settled) -> CellMotion:
 
 
 def _repeating(flow: Flow, kind: MotionKind, orbit: Orbit, periods: int) -> CellMotion:
-    rests, measures = kind is MotionKind.REST, of_orbit(flow, orbit.course, orbit.periods)
+    rests = kind is MotionKind.REST
     return CellMotion(
         kind,
         0 if rests else orbit.period_count,
         periods,
         float(abs(orbit.nontrivial_multipliers).max(initial=0.0)),
         states=_tuples(orbit.strobed[: orbit.period_count]),
-        measures=at_rest(flow, measures) if rests else measures,
+        measures=of_orbit(flow, orbit.course, orbit.periods, rests=rests),
         neutral=orbit.neutral,
         holding=orbit.instant.statuses if rests else (),
     )

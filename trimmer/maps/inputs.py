@@ -11,13 +11,12 @@ from numpy.typing import ArrayLike
 
 from trimmer.arguments import finite_number, require_instance, shown
 from trimmer.errors import MapError, TrimmerError, WrongTypeError
-from trimmer.mechanism.drives import clocks_in, sines_in
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.mechanism.places import with_values
 from trimmer.motion.subject import Subject
 from trimmer.response.flows import is_silent, require_subject
-from trimmer.response.periodic.pace import period_word, periods_of
+from trimmer.response.periodic.pace import is_driven, period_word, waited
 
 _Subject = TypeVar("_Subject", bound="Subject")
 FORMAT = 1  # Version of the format of files
@@ -64,9 +63,7 @@ class MapInputs:
         """How long a motion is waited for at most, in words."""
         if is_silent(self.subject):
             return "the search for orbits"
-        if self.driven:
-            return periods_of(self.subject, self.settings.most_periods)
-        return f"{self.settings.most_periods} periods of its slowest mode"
+        return waited(self.subject, self.settings.most_periods)
 
     @property
     def over(self) -> str:
@@ -152,13 +149,6 @@ def checked_inputs(mechanism: Subject, values: Mapping[str, ArrayLike], settings
         for value in lists[axis]:
             _check_value(mechanism, places, axis, value, others)
     return inputs
-
-
-def is_driven(subject: Subject) -> bool:
-    """Say whether something has a drive; a sine of a reference and the clock of a controller are such."""
-    mechanism = subject if isinstance(subject, Mechanism) else None
-    clocked = mechanism is not None and bool(clocks_in(mechanism) or sines_in(mechanism))
-    return clocked or subject.frequency is not None
 
 
 def _numbers(place: str, values: ArrayLike) -> tuple[float, ...]:

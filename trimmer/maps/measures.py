@@ -5,7 +5,7 @@ and these take a fraction of the time.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -23,6 +23,7 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.signals import Steady
 from trimmer.response.without_events.linear_lines import LinearLines
 from trimmer.response.without_events.linear_motion import LinearMotion
+from trimmer.response.without_events.rest import stands
 
 SAMPLES = 128  # Samples per drive period of a window, beside its events
 
@@ -51,22 +52,23 @@ class Measures:
 
 
 def chosen(
-    flow: Flow, course: Course, period_count: int, periods: int, keys: Sequence[str]
+    flow: Flow, course: Course, period_count: int, periods: int, keys: Sequence[str], *, rests: bool = False
 ) -> dict[str, float]:
     """Return measures of a motion by their keys, exact to rounding; arguments as of ``motion.Measures``."""
-    found = exact.Measures(course, flow, period_count, periods)
+    found = exact.Measures(course, flow, period_count, periods, still=rests and stands(flow))
     return {key: chosen_measure(flow, key).of(found) for key in keys}
 
 
-def of_orbit(flow: Flow, course: Course, period_count: int) -> Measures:
+def of_orbit(flow: Flow, course: Course, period_count: int, *, rests: bool = False) -> Measures:
     """Return the measures of an orbit, exact to rounding.
 
     Args:
         flow: What moves.
         course: The motion over its period.
         period_count: Drive periods that it lasts.
+        rests: Whether all states rest in it.
     """
-    found = exact.Measures(course, flow, period_count, period_count)
+    found = exact.Measures(course, flow, period_count, period_count, still=rests and stands(flow))
     frictions = {name: each.power for name, each in found.frictions.items()}
     return Measures(
         dict(found.peak_to_peak),
@@ -74,16 +76,6 @@ def of_orbit(flow: Flow, course: Course, period_count: int) -> Measures:
         {name: frictions.get(name, 0.0) for name in flow.rubbing},
         *_of_events(flow, course, period_count),
     )
-
-
-def at_rest(flow: Flow, measures: Measures) -> Measures:
-    """Return the measures of what rests, without the rounding that they are where no wave moves anything."""
-    if flow.modes.system.layout.orders:
-        return measures
-    swings, shakes = (dict.fromkeys(each, 0.0) for each in (measures.peak_to_peak, measures.rms_acceleration))
-    carried = any(pin.velocity for pin in getattr(flow.subject, "pins", {}).values())
-    wears = measures.wear_power if carried else dict.fromkeys(measures.wear_power, 0.0)
-    return replace(measures, peak_to_peak=swings, rms_acceleration=shakes, wear_power=wears)
 
 
 def of_window(flow: Flow, course: Course, periods: int) -> Measures:

@@ -10,13 +10,13 @@ from trimmer.arguments import file_path, whole_number
 from trimmer.errors import MapError
 from trimmer.maps import checkpoint
 from trimmer.maps.cells import Cell, CellResult, CellWork
-from trimmer.maps.inputs import MapInputs, Settings, checked_inputs, is_driven
+from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
 from trimmer.maps.result import MotionMap
 from trimmer.motion.chosen import chosen_measure
 from trimmer.progress import progress_bar
 from trimmer.response.by_itself.self_excited import STRETCHES
 from trimmer.response.flows import flow_of, require_subject
-from trimmer.response.periodic.pace import pace_of
+from trimmer.response.periodic.pace import is_driven, pace_of
 from trimmer.runners import ProcessRunner, Runner, SerialRunner
 
 if TYPE_CHECKING:

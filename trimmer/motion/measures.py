@@ -1,7 +1,7 @@
 """What outputs, bodies, contacts and frictions do over a motion: integrals and extremes exact to rounding."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -75,12 +75,14 @@ class Measures:
         flow: What moves.
         period_count: Number k of drive periods after which it returns; 1 for a window of one that does not.
         periods: Number of drive periods it spans.
+        still: Whether nothing moves in it, so that sizes are rounding, and told as 0.
     """
 
     course: Course
     flow: Flow
     period_count: int
     periods: int
+    still: bool = False
 
     @cached_property
     def outputs(self) -> Mapping[str, OutputMeasures]:
@@ -96,11 +98,10 @@ class Measures:
         count = self.period_count
         omega = 2 * np.pi * self.periods / (duration * count)
         amplitudes = fourier(self.course, apart, omega, HARMONICS * count)
-        ranges = [extremes(self.course, each.signal) for each in outputs.values()]
-        moves = np.array([largest > smallest for smallest, largest in ranges])
+        moves = np.array([largest > smallest for smallest, largest in self._ranges.values()])
         return {
             name: OutputMeasures(
-                *ranges[place],
+                *self._ranges[name],
                 float(means[place]),
                 float(rms[place] * moves[place]),
                 amplitudes[:, place] * moves[place],
@@ -110,18 +111,24 @@ class Measures:
             for place, (name, output) in enumerate(outputs.items())
         }
 
-    @cached_property
+    @property
     def peak_to_peak(self) -> Mapping[str, float]:
         """Of each output, without the rest of its measures."""
-        ranges = {name: extremes(self.course, each.signal) for name, each in self.flow.outputs.items()}
-        return {name: largest - smallest for name, (smallest, largest) in ranges.items()}
+        return {name: largest - smallest for name, (smallest, largest) in self._ranges.items()}
+
+    @cached_property
+    def _ranges(self) -> Mapping[str, tuple[float, float]]:
+        found = {name: extremes(self.course, each.signal) for name, each in self.flow.outputs.items()}
+        return {name: (low, low) for name, (low, _) in found.items()} if self.still else found
 
     @cached_property
     def rms_acceleration(self) -> Mapping[str, float]:
         """Of each body, m/s²; the acceleration jumps where the force of a contact or a friction does."""
         nodes = self.course.nodes
         return {
-            name: float(np.sqrt(nodes.weights @ self._at_nodes(signal) ** 2 / self.course.duration))
+            name: 0.0
+            if self.still
+            else float(np.sqrt(nodes.weights @ self._at_nodes(signal) ** 2 / self.course.duration))
             for name, signal in self.flow.accelerations.items()
         }
 
@@ -137,7 +144,9 @@ class Measures:
     @cached_property
     def frictions(self) -> Mapping[str, FrictionMeasures]:
         """Of each dry friction."""
-        return self.flow.frictions(self.course, self.periods)
+        found = self.flow.frictions(self.course, self.periods)
+        still = {name: replace(each, work=0.0, power=0.0) for name, each in found.items()}
+        return still if self.still else found
 
     @property
     def events_per_period(self) -> float:

@@ -13,14 +13,13 @@ from trimmer.arrays import Flags, Reals
 from trimmer.design.specification.targets import Measure, Target
 from trimmer.design.trials.trial import MeasureOfPart, Trial, TrialWork
 from trimmer.maps.cells import waited_for
-from trimmer.maps.inputs import is_driven
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
 from trimmer.progress import progress_bar
 from trimmer.response.by_itself.self_excited import STRETCHES
 from trimmer.response.flows import called, flow_of
-from trimmer.response.periodic.pace import pace_of, periods_of
+from trimmer.response.periodic.pace import is_driven, pace_of, waited
 from trimmer.response.results.response import MotionKind
 from trimmer.runners import ProcessRunner, Runner, SerialRunner
 from trimmer.showing.drawn import Drawn
@@ -116,10 +115,7 @@ class Samples(Tabular, Drawn):
         What rests on the drive periods that were waited says so, as in a map: ``chaotic over 300 drive
         periods``.
         """
-        waited = self._waited
-        words = [
-            _what(trial) if trial.kind is None else waited_for(_what(trial), waited) for trial in self.trials
-        ]
+        words = [waited_for(_what(trial), self._waited) for trial in self.trials]
         return {
             word: words.count(word)
             for word in sorted(set(words), key=lambda word: (-words.count(word), word))
@@ -130,9 +126,8 @@ class Samples(Tabular, Drawn):
         inputs = self.inputs
         if inputs.stepped:
             return "a step"
-        if not is_driven(inputs.subject):
-            return f"{sum(STRETCHES)} periods of its slowest mode"
-        return periods_of(inputs.subject, inputs.settings.most_periods * pace_of(inputs.subject))
+        driven, most = is_driven(inputs.subject), inputs.settings.most_periods
+        return waited(inputs.subject, most * pace_of(inputs.subject) if driven else sum(STRETCHES))
 
     @property
     def _followed(self) -> str:

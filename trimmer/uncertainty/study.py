@@ -12,8 +12,8 @@ from trimmer.design.specification.targets import Measure
 from trimmer.design.trials.trial import MeasureOfPart, TrialWork
 from trimmer.errors import UnsupportedMotionError
 from trimmer.harmonics.balance import require_balanceable
-from trimmer.maps.inputs import is_driven
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.response.periodic.pace import is_driven
 from trimmer.response.results.response import MotionKind
 from trimmer.runners.runner import Runner
 from trimmer.uncertainty.balance import BalancedSamples, balanced_samples

@@ -74,9 +74,8 @@ class ValueChange:
             tables = _dense(modes, log)
         both, room, terms = np.zeros((2, size)), room_for(0, 0, size), np.empty((4 + 2 * size, size))
         own, other = modes.system.layout, self.other.layout
-        if (
-            own is not other and (own.phasors != other.phasors).any()
-        ):  # as where the phase of the drive is varied
+        # As where the phase of the drive is varied.
+        if own is not other and (own.phasors != other.phasors).any():
             phase = self.course.begin.phase
             both[1, own.state_count :] = (other.forcing_at(phase) - own.forcing_at(phase)) / self.step
         rows, end = len(log.start), self.course.duration

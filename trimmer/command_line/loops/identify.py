@@ -42,7 +42,7 @@ def _run(arguments: Namespace) -> int:
             G, arguments.gap, arguments.frequency, frequency_uncertainty=arguments.uncertainty
         )
     except ValueError as error:
-        raise OptionError(str(error), place=getattr(error, "place", ())) from error
+        raise OptionError.of(error) from error
     if arguments.plot is not None:
         from trimmer.drawing.content import figure_of
 

@@ -147,7 +147,7 @@ def unusable(arguments: Namespace, error: ValueError) -> OptionError:
         "both",
     ):
         return OptionError("--element coulomb needs two more poles than zeros: add --channels displacement")
-    return OptionError(str(error))
+    return OptionError.of(error)
 
 
 def linear_part(arguments: Namespace) -> control.StateSpace:

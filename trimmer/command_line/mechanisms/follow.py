@@ -97,7 +97,7 @@ def _branch(arguments: Namespace, system: Mechanism | TrimmerLoop) -> FollowedBr
         )
         return follow(system, *interval, periods=arguments.periods, settings=settings)
     except ValueError as error:
-        raise OptionError(str(error), place=getattr(error, "place", ())) from error
+        raise OptionError.of(error) from error
 
 
 COMMAND = Command(

@@ -77,7 +77,7 @@ def _swept(arguments: Namespace, system: Mechanism | TrimmerLoop) -> Sweep:
             branch=arguments.branch,
         )
     except ValueError as error:
-        raise OptionError(str(error), place=getattr(error, "place", ())) from error
+        raise OptionError.of(error) from error
 
 
 def _draw(arguments: Namespace, swept: Sweep) -> None:

@@ -33,6 +33,7 @@ from trimmer.response.flows import flow_of
 from trimmer.response.periodic.pace import pace_of
 from trimmer.response.results.response import MotionKind
 from trimmer.response.simulation.switching import Switching, switching
+from trimmer.response.without_events.rest import stands
 
 _SECTIONS = {
     Measure.STROKE: "outputs",
@@ -150,8 +151,11 @@ class TrialWork:
         found = came_to(flow, flow.rest())
         if found.course is None:
             return replace(self._failed(values), kind=found.kind)
-        measures, count = Measures(found.course, flow, 1, found.returns), None if found.orbit is None else 1
-        return Trial(values, found.kind, count, self._every(flow, found.kind, measures, count))
+        still = found.kind is MotionKind.REST and stands(flow)
+        measures = Measures(found.course, flow, 1, found.returns, still)
+        count = None if found.orbit is None else 1
+        every = tuple((each, measured(measures, each, count)) for each in self.asked)
+        return Trial(values, found.kind, count, every)
 
     def _measured(self, values: tuple[float, ...], flow: Flow) -> Trial:
         settled = settle(flow, flow.rest(), self.most_periods * pace_of(flow.subject))
@@ -159,17 +163,8 @@ class TrialWork:
         if measures is None:
             return self._failed(values)
         count = None if settled.orbit is None else settled.orbit.period_count
-        return Trial(values, settled.kind, count, self._every(flow, settled.kind, measures, count))
-
-    def _every(
-        self, flow: Flow, kind: MotionKind, measures: Measures, count: int | None
-    ) -> tuple[tuple[MeasureOfPart, float], ...]:
-        """Return all that is asked; where nothing moves, and no wave does, sizes are 0 and no rounding."""
-        still = kind is MotionKind.REST and not flow.modes.system.layout.orders
-        sizes = (Measure.STROKE, Measure.RMS_ACCELERATION) if still else ()
-        return tuple(
-            (each, 0.0 if each.measure in sizes else measured(measures, each, count)) for each in self.asked
-        )
+        every = tuple((each, measured(measures, each, count)) for each in self.asked)
+        return Trial(values, settled.kind, count, every)
 
 
 def measures_of_settled(flow: Flow, settled: Settled) -> Measures | None:
@@ -177,7 +172,8 @@ def measures_of_settled(flow: Flow, settled: Settled) -> Measures | None:
     if settled.ending is not Ending.REACHED_END:
         return None
     if (orbit := settled.orbit) is not None:
-        return Measures(orbit.course, orbit.flow, orbit.period_count, orbit.periods)
+        still = settled.kind is MotionKind.REST and stands(flow)
+        return Measures(orbit.course, orbit.flow, orbit.period_count, orbit.periods, still)
     course = flow.course(settled.end, WINDOW)
     if course.ending is not Ending.REACHED_END:
         return None

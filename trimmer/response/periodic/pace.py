@@ -11,6 +11,12 @@ SAMPLES = 16
 """Samples in which a sampled machine does as much as another one in a period of its drive."""
 
 
+def is_driven(subject: Subject) -> bool:
+    """Say whether something has a drive; a sine of a reference and the clock of a controller are such."""
+    clocked = isinstance(subject, Mechanism) and bool(clocks_in(subject) or sines_in(subject))
+    return clocked or subject.frequency is not None
+
+
 def pace_of(subject: Subject) -> int:
     """Return in how many drive periods as much happens as in one: many, if they are samples alone."""
     return SAMPLES if _only_samples(subject) else 1
@@ -28,6 +34,13 @@ def periods_of(subject: Subject, count: float) -> str:
     word = period_word(subject)
     head, *tail = word.split(" of ")
     return " of ".join([counted(f"{count:.9g}", head), *tail])
+
+
+def waited(subject: Subject, most_periods: int) -> str:
+    """Return in words how long is waited: these periods, or without a drive those of the slowest mode."""
+    if is_driven(subject):
+        return periods_of(subject, most_periods)
+    return f"{most_periods} periods of its slowest mode"
 
 
 def _only_samples(subject: Subject) -> bool:

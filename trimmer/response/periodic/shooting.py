@@ -13,7 +13,6 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.hybrid.calm import amid_longest, is_amid
-from trimmer.hybrid.clock import WITHIN
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.kept_property import cached_property
 from trimmer.motion.course import Course
@@ -185,26 +184,11 @@ def sizes_of(course: Course) -> Reals:
         times = np.linspace(0.0, course.duration, SAMPLES)
         states = np.vstack([states, course.states(times)[:, : layout.state_count]])
     sizes: Reals = layout.sizes(states, course.duration)
-    return np.maximum(sizes, SUMMED * _summed(course)) if course.modes.system.clockwork else sizes
-
-
-def _summed(course: Course) -> Reals:
-    """Return how large a state must be to count beside what samplers add to it, or it to, (n,); else 0."""
-    clockwork, size = course.modes.system.clockwork, course.modes.system.layout.state_count
-    reach = abs(course.log.state).max(axis=0)
-    summed = np.zeros_like(reach)
-    _, updates = clockwork.sampling(course.modes, course.log.mode[0])
-    for sampler, rows in zip(clockwork.samplers, abs(updates[:, WITHIN]), strict=True):
-        places, (waiting, acting) = list(sampler.places), sampler.acting
-        # What was demanded last comes last, and goes through all places before it to where it acts.
-        for place, row in [*zip(places, rows, strict=False)][::-1]:
-            reach[place] = summed[place] = max(reach[place], row @ reach)
-        read = rows[: len(places), places] * (1.0 - np.eye(len(places)))
-        enough = np.divide(summed[places, None], read, out=np.full_like(read, np.inf), where=read > 0)
-        least = enough.min(axis=0, initial=np.inf)
-        summed[places] = np.maximum(summed[places], np.where(least < np.inf, least, 0.0))
-        summed[acting] = summed[waiting]
-    found: Reals = summed[:size]
+    clockwork = course.modes.system.clockwork
+    if clockwork is None:
+        return sizes
+    summed = clockwork.summed(course.modes, course.log.mode[0], abs(course.log.state).max(axis=0))
+    found: Reals = np.maximum(sizes, SUMMED * summed[: layout.state_count])
     return found
 
 

@@ -62,8 +62,8 @@ def followed(
     at: float,
     wanted: float,
     *,
-    cycle: Orbit | None = None,
-    rests: bool | None = None,
+    cycle: Orbit | None,
+    rests: bool | None,
 ) -> StepEnd:
     """Follow a motion from its start through a step until it has settled, or the wait is over.
 

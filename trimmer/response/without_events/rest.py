@@ -19,6 +19,12 @@ RESTING = 1e-9
 """Share of its size by which a state that is at rest changes at most in a period of the slowest mode."""
 
 
+def stands(flow: Flow) -> bool:
+    """Say whether nothing moves at all where all states rest: no wave of a drive, and no pin that goes on."""
+    goes_on = any(pin.velocity for pin in getattr(flow.subject, "pins", {}).values())
+    return not flow.modes.system.layout.orders and not goes_on
+
+
 @dataclass(frozen=True, eq=False)
 class Rest:
     """A mechanism or loop at rest.
@@ -49,7 +55,7 @@ class Rest:
     @cached_property
     def measures(self) -> Measures:
         """What outputs, bodies, contacts and frictions do there."""
-        return Measures(self.course, self.flow, 1, 1)
+        return Measures(self.course, self.flow, 1, 1, still=stands(self.flow))
 
     @property
     def positions(self) -> Mapping[str, float]:
