@@ -13,7 +13,6 @@ from trimmer.maps.measures import Measures, chosen, of_orbit, of_window
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.time_scale import time_scale
-from trimmer.orbits.search import OrbitSearch, Simulations
 from trimmer.response.by_itself.orbit_by_itself import as_orbit, orbits_of_loop, state_on
 from trimmer.response.by_itself.self_excited import STRETCHES, self_excited
 from trimmer.response.periodic.orbit import Orbit
@@ -72,7 +71,7 @@ def came_to_in_loop(flow: Flow) -> tuple[CameTo, ...]:
     """Return all stable orbits that are found of a loop at rest, the largest first; else how motions end.
 
     With frictions beside it they are what these orbits lead to. It rests, or grows, if all simulations of the
-    search ended so, and is undecided if they differ.
+    search ended so, and is undecided if they differ, or there were none beside an unstable orbit.
 
     Raises:
         OrbitNotFoundError: if an orbit that was found cannot be followed.
@@ -80,8 +79,6 @@ def came_to_in_loop(flow: Flow) -> tuple[CameTo, ...]:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", OrbitNotFoundWarning)  # A simulation looks for what is near no guess.
         found = orbits_of_loop(flow.subject)
-        if not any(each.stable for each in found) and found.search.simulations is None:
-            found = orbits_of_loop(flow.subject, OrbitSearch(Simulations.ALWAYS))
     stable = [each for each in found if each.stable]
     if stable and getattr(flow.subject, "frictions", None):
         return tuple(came_to(flow, flow.at(state_on(flow, each))) for each in stable)

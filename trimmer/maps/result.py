@@ -294,7 +294,8 @@ def _searched(result: MotionMap) -> str:
     if is_silent(subject):
         found = "the stable orbits that are found near predictions of harmonic balance or by simulation"
         leads = ", and what they lead to with friction" if getattr(subject, "frictions", ()) else ""
-        return f"{counted(count, 'cell')}, in each {found}{leads}; where there is none, how simulations end"
+        ends = "where none is, how simulations end, if there were any"
+        return f"{counted(count, 'cell')}, in each {found}{leads}; {ends}"
     several = int((result.motion_count > 1).sum())
     begun = f"{counted(count, 'cell')}, each from {own}"
     if settings.starts > 1:

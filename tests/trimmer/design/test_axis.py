@@ -167,5 +167,10 @@ def test_samples_are_judged_by_the_step_that_targets_are_of() -> None:
     assert found.met.tolist() == [each <= 5 for each in expected]
     assert found.kinds == {"rest": len(expected)}
     assert "through the step" in found.message
+    wanted = "[targets]\nhunting_at_most = 0\n"
+    scatters = '[uncertainty]\n"references.path.step" = { normal = "1 mrad" }\n'
+    mine = sample_file_of_text(STICTION + wanted + scatters, "mine.toml")
+    hunts = study_samples(mine, SampleSettings(count=2)).samples
+    assert (hunts.kinds, hunts.met.any()) == ({"hunts evenly": 2}, False)
     names = [quantity.name for quantity in study.indices]
     assert names[0] == "whether it comes to rest" and "settling time of axis" in names

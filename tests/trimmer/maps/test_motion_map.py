@@ -331,3 +331,8 @@ def test_a_block_on_a_belt_needs_no_drive() -> None:
     assert [cell.motions[0].kind for cell in cells] == [MotionKind.PERIODIC] * 5
     assert swings == pytest.approx([*(2 * np.hypot(0.5, slow)), 1.0, 1.0], rel=1e-12)
     assert [cell.motions[0].neutral for cell in cells] == [False] * 3 + [True] * 2
+    damped = Mechanism.from_toml_text(example_text("block-on-belt")).with_value("links.spring.damping", 0.5)
+    (cell,) = motion_map(damped, {"pins.belt.velocity": [1.0]}, runner=SERIAL).cells
+    measures = cell.motions[0].measures
+    assert (cell.motions[0].kind, measures.peak_to_peak["block"]) == (MotionKind.REST, 0.0)
+    assert measures.wear_power["rubbing"] == pytest.approx(0.5, rel=1e-9)  # The belt slides on below it.

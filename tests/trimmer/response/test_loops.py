@@ -268,6 +268,19 @@ def test_a_map_of_a_loop_that_moves_by_itself_has_its_stable_orbits() -> None:
 
 
 @pytest.mark.parametrize(
+    ("damping", "element", "kind"),
+    [
+        (1, trimmer.Saturation(1.0), trimmer.MotionKind.REST),
+        (-1, trimmer.DeadZone(1.0, slope=0.1), trimmer.MotionKind.DIVERGING),
+    ],
+)
+def test_a_map_of_a_loop_without_an_orbit_tells_how_all_motions_end(damping, element, kind) -> None:
+    loop = trimmer.ClosedLoop(control.tf([1.0], [1, damping, 1]), element)
+    found = trimmer.motion_map(loop, {"element.threshold": [1.0]}, runner=SerialRunner())
+    assert found.cells[0].motions[0].kind is kind
+
+
+@pytest.mark.parametrize(
     ("ask", "told"),
     [
         (lambda: trimmer.follow(CLOSED, "frequency", 100.0, 110.0), "no number at frequency"),

@@ -11,6 +11,7 @@ from tests.mechanisms.energy import energy
 from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.quick import quick
 from tests.trimmer.response.mechanisms import body as one_body
+from tests.trimmer.response.mechanisms import example
 from trimmer import ContactLaw, Mechanism, MechanismMotion, forced_orbit, respond, simulate
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play, Stop
 from trimmer.response import MechanismOrbit
@@ -232,3 +233,15 @@ def test_constant_forces_and_pins_that_rub_do_work() -> None:
     assert energy.forces["weight"] == pytest.approx(3.0 * way, rel=1e-12)
     assert energy.residual < 1e-11
     assert energy.pins["belt"] + energy.forces["weight"] == pytest.approx(energy.work, rel=1e-12)
+
+
+def test_what_differs_by_rounding_alone_is_still() -> None:
+    """A ball rests on a table that moves by a millimetre."""
+    ball = example("bouncing-ball").with_value("walls.plate.restitution", 0.45).with_value("frequency", 20.0)
+    outputs = respond(ball).motion.measures.outputs
+    assert (outputs["height"].peak_to_peak, outputs["height"].rms, outputs["height"].amplitudes.any()) == (
+        0,
+        0,
+        False,
+    )
+    assert outputs["ball"].peak_to_peak == pytest.approx(1e-3, rel=1e-12)

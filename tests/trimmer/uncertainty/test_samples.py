@@ -8,8 +8,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.trimmer.problem_machines import machine_text
 from trimmer import MotionKind, SerialRunner, respond, sample
-from trimmer.command_line.mechanisms.sample_text import as_json
+from trimmer.command_line.mechanisms.sample_text import as_json, distribution_lines
 from trimmer.design import Measure, MeasureOfPart, Trial
 from trimmer.errors import MapFileError, UncertaintyError
 from trimmer.maps.inputs import varied
@@ -187,6 +188,19 @@ def test_without_a_drive_it_rests() -> None:
     assert found.kinds == {"rest": len(found.trials)}
     assert "for at most 1700 periods of its slowest mode" in found.message
     assert "1700 periods of its slowest mode" in found.message
+
+
+def test_samples_of_a_sampled_machine_wait_for_as_much_as_a_map() -> None:
+    axis = machine_text("sampled-axis").split("[targets]")[0]
+    scatters = '[uncertainty]\n"controllers.axis.ki" = { uniform = [8.0, 12.0] }\n'
+    found = sampled(sample_file_of_text(axis + scatters, "axis.toml"), replace(SETTINGS, count=2))
+    assert found.kinds == {"rest": 2}
+    assert "for at most 960 samples" in found.message
+
+
+def test_how_many_values_are_finite_is_told() -> None:
+    told = "\n".join(distribution_lines([("time", np.array([1.0, math.inf, 2.0, math.nan]), "s")]))
+    assert "time, where finite: 2 of 4" in told
 
 
 def test_indices_find_what_matters() -> None:

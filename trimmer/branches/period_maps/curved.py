@@ -55,7 +55,7 @@ class Curved:
         if key not in self._of_modes:
             self._of_modes[key] = self._stacked(modes)
         known = self._of_modes[key]
-        if known is None or len(modes.tables.resets):
+        if known is None:
             return None
         flow, hold, functions, decayed = (np.tensordot(self._rates(value), each, 1) for each in known[0])
         return Slopes(flow, known[1], hold, functions, decayed, modes.tables.resets)

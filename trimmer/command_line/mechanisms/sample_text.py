@@ -77,7 +77,8 @@ def distribution_lines(columns: Iterable[tuple[str, Reals, str]]) -> list[str]:
         found = distribution_of(values)
         if found is not None:
             quantiles = (f"{q.value:.4g} [{q.lowest:.4g}, {q.highest:.4g}]" for q in found.quantiles)
-            rows.append((name, f"{found.mean:.4g}", f"{found.deviation:.3g}", *quantiles, unit))
+            of = "" if found.count == len(values) else f", where finite: {found.count} of {len(values)}"
+            rows.append((name + of, f"{found.mean:.4g}", f"{found.deviation:.3g}", *quantiles, unit))
     return table(("", "mean", "deviation", "5 %", "50 %", "95 %", "unit"), rows)
 
 

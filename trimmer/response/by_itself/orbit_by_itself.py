@@ -60,13 +60,13 @@ def orbit_by_itself(flow: Flow) -> Orbit:
     return as_orbit(flow, next((orbit for orbit in found if orbit.stable), found[0]))
 
 
-def orbits_of_loop(loop: Any, search: Any = None) -> Any:
+def orbits_of_loop(loop: Any) -> Any:
     """Return what ``periodic_orbits`` finds of a loop in which nothing happens at rest, without frictions."""
     from trimmer.loops.trimmer_loop import TrimmerLoop
     from trimmer.orbits.periodic_orbits import periodic_orbits
 
     bare = replace(loop, frictions=()) if isinstance(loop, TrimmerLoop) else loop
-    return periodic_orbits(bare, search=search)
+    return periodic_orbits(bare)
 
 
 def state_on(flow: Flow, found: Any) -> Reals:
