@@ -18,7 +18,7 @@ from scipy.integrate import solve_ivp
 
 from benchmarks.calibration import sentence
 from trimmer.arrays import Reals
-from trimmer.maps.cells import described
+from trimmer.maps.cell_motion import described
 from trimmer.maps.motion_map import motion_map
 from trimmer.maps.result import MotionMap
 from trimmer.mechanism.mechanism import Mechanism

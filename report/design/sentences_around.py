@@ -17,7 +17,7 @@ from trimmer.design.parameter_studies.paths import NumberPath, PathSide
 from trimmer.design.specification.targets import Measure
 from trimmer.design.trials.sensitivity import Sensitivity
 from trimmer.design.trials.trial import MeasureOfPart
-from trimmer.maps.cells import described
+from trimmer.maps.cell_motion import described
 from trimmer.mechanism.parts import OutputKind
 from trimmer.response.periodic.pace import period_word
 from trimmer.response.results.response import MotionKind

@@ -15,7 +15,7 @@ from trimmer.design.settings import DesignSettings
 from trimmer.design.specification.targets import followers, has_profile
 from trimmer.design.varied_places import VariedNumber
 from trimmer.errors import TrimmerError, UnsupportedMotionError
-from trimmer.maps.cells import CellMotion
+from trimmer.maps.cell_motion import CellMotion
 from trimmer.maps.coexistence import coexisting_motions
 from trimmer.maps.motion_map import motion_map
 from trimmer.mechanism.mechanism import Mechanism

@@ -10,7 +10,7 @@ import numpy as np
 
 from trimmer.arguments import require_instance
 from trimmer.errors import MapError
-from trimmer.maps.cells import CellMotion, described, same_motion, stands_for_its_kind, waited_for
+from trimmer.maps.cell_motion import CellMotion, described, same_motion, stands_for_its_kind, waited_for
 from trimmer.maps.inputs import MapInputs
 from trimmer.maps.motion_map import motion_map
 from trimmer.maps.result import MotionMap, place_columns

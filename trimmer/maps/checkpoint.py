@@ -14,7 +14,8 @@ from typing import Any
 
 from trimmer.files import MAP
 from trimmer.json_data import DataError, typed
-from trimmer.maps.cells import CellMotion, CellResult
+from trimmer.maps.cell_motion import CellMotion
+from trimmer.maps.cells import CellResult
 from trimmer.maps.inputs import FORMAT, MapInputs, varied
 from trimmer.maps.measures import Measures
 from trimmer.motion.flow import Flow

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from trimmer.arguments import require_instance, whole_number
-from trimmer.maps.cells import Cell, CellMotion, CellResult, CellWork, alike, same_motion
+from trimmer.maps.cell_motion import CellMotion, alike, same_motion
+from trimmer.maps.cells import Cell, CellResult, CellWork
 from trimmer.maps.motion_map import FEW
 from trimmer.maps.result import MotionMap, place_columns
 from trimmer.progress import progress_bar

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.errors import MapError
-from trimmer.maps.cells import described, waited_for
+from trimmer.maps.cell_motion import described, waited_for
 from trimmer.mechanism.place_text import parse_place, unit_of
 from trimmer.motion.chosen import chosen_measure
 from trimmer.response.flows import called, flow_of, is_silent
@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from trimmer.arrays import Integers, Reals
-    from trimmer.maps.cells import CellMotion, CellResult
+    from trimmer.maps.cell_motion import CellMotion
+    from trimmer.maps.cells import CellResult
     from trimmer.maps.inputs import MapInputs
     from trimmer.motion.flow import Flow
     from trimmer.motion.units import Units

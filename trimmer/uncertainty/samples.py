@@ -12,7 +12,7 @@ import numpy as np
 from trimmer.arrays import Flags, Reals
 from trimmer.design.specification.targets import Measure, Target
 from trimmer.design.trials.trial import MeasureOfPart, Trial, TrialWork
-from trimmer.maps.cells import waited_for
+from trimmer.maps.cell_motion import waited_for
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject

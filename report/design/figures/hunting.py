@@ -8,7 +8,7 @@ from report.design.figures.over_numbers import frame, scales
 from report.pages.drawing.style import new_figure
 from trimmer.design.parameter_studies.kept_map import DesignMap
 from trimmer.drawing.cells import draw_cells
-from trimmer.maps.cells import CellMotion
+from trimmer.maps.cell_motion import CellMotion
 from trimmer.response.results.response import MotionKind
 
 LOOKS = {

@@ -16,7 +16,8 @@ from report.numbers.twin.mechanism import BLADE, CUTTER, MOTOR, STROKE
 from trimmer import MotionKind
 from trimmer.arrays import Integers, Reals
 from trimmer.contact.flow import MechanismFlow
-from trimmer.maps.cells import CellMotion, CellResult
+from trimmer.maps.cell_motion import CellMotion
+from trimmer.maps.cells import CellResult
 from trimmer.maps.inputs import MapInputs, varied
 from trimmer.motion.fourier import fourier
 from trimmer.motion.signals import read

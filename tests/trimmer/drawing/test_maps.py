@@ -12,7 +12,8 @@ import trimmer
 from tests.trimmer import results
 from tests.trimmer.drawing.pictures import legend, new_axes
 from tests.trimmer.maps.machines import impact_oscillator
-from trimmer.maps.cells import CellMotion, CellResult
+from trimmer.maps.cell_motion import CellMotion
+from trimmer.maps.cells import CellResult
 from trimmer.maps.inputs import MapInputs, Settings
 from trimmer.maps.measures import Measures
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from trimmer.command_line.json_values import document, picked
 from trimmer.command_line.table import table
-from trimmer.maps.cells import described
+from trimmer.maps.cell_motion import described
 from trimmer.motion.units import with_unit
 from trimmer.showing.shown import counted
 

@@ -10,7 +10,8 @@ from trimmer.design.settings import DesignSettings
 from trimmer.design.specification.targets import Measure, Target, followers, is_switched
 from trimmer.design.trials.trial import MeasureOfPart, TrialWork
 from trimmer.design.varied_places import VariedNumber
-from trimmer.maps.cells import Cell, CellMotion, CellResult, CellWork
+from trimmer.maps.cell_motion import CellMotion
+from trimmer.maps.cells import Cell, CellResult, CellWork
 from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
 from trimmer.maps.measures import Measures
 from trimmer.maps.result import MotionMap

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from matplotlib.patches import Patch
 
-from trimmer.maps.cells import CellMotion, described, waited_for
+from trimmer.maps.cell_motion import CellMotion, described, waited_for
 
 PERIOD_COLOURS = ("#56B4E9", "#0072B2", "#009E73", "#F0E442", "#E69F00", "#D55E00")
 """Of motions of period 1, 2, ...: the colours of Okabe and Ito, which colour-blind readers tell apart."""
