@@ -13,10 +13,12 @@ from trimmer.errors import DivergingMotionError, OrbitNotFoundError
 from trimmer.hybrid.stretch import Instant
 from trimmer.loops.loops import Loop
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.time_scale import time_scale
-from trimmer.response.by_itself.self_excited import self_excited
-from trimmer.response.by_itself.unrepeated import unrepeated
+from trimmer.response.by_itself.self_excited import LITTLE, self_excited
+from trimmer.response.by_itself.slowing_down import slowing_down
+from trimmer.response.by_itself.unrepeated import told_of_slowing, unrepeated
 from trimmer.response.flows import flow_of, require_subject
 from trimmer.response.forced_orbit import diverges_by_pull, require_repeating
 from trimmer.response.periodic.orbit import Orbit
@@ -26,13 +28,14 @@ from trimmer.response.results.response import MotionKind, Response, SettledMotio
 from trimmer.response.results.same import largest_states, same_motion, same_orbit, twins
 from trimmer.response.settling.settling import Settling
 from trimmer.response.settling.solved import at_rest, rest_of, settled_at_last
-from trimmer.response.settling.verdict import cut_short, grown, look_closely, unsettled
+from trimmer.response.settling.verdict import Seen, cut_short, grown, look_closely, unsettled
 from trimmer.response.starts import Start, instant_of
 from trimmer.response.without_events.linear_motion import linear_motion
 from trimmer.response.without_events.rest import Rest
 
 MOST_PERIODS = 1000  # Drive periods that are waited for a motion to settle, if no number is given
 MORE = 10  # By how much longer is waited where all small distances shrink, or that to a stable orbit does
+FURTHER = 16  # By how much longer a sampled machine is followed in which little happens, to see it slow down
 LONG = 100  # Drive periods of settling beyond which a neighbouring start is tried too
 AT_FIRST = 20
 """Drive periods, or periods of the slowest mode, in which an unknown motion shows how far it goes."""
@@ -152,13 +155,41 @@ class _Search:
         if slow is not None:
             return _settled(slow, settling.periods, agrees, _slowly(slow))
         if orbit is None:
-            return cut_short(settling, agrees) if seen is None else unsettled(seen, settling.periods, agrees)
+            return self._unsettled(settling, seen, instant, agrees)
         within = periods_of(self.flow.subject, settling.periods)
         told = f"It settles within {within} to {orbit.sentence}."
         if agrees is not None:
             other = "the same" if agrees else "something else"
             told += f" A start a little beside this one settles to {other}."
         return _settled(orbit, settling.periods, agrees, told)
+
+    def _unsettled(
+        self, settling: Settling, seen: Seen | None, instant: Instant, agrees: bool | None
+    ) -> SettledMotion:
+        """Return what is known of a motion that was not seen to settle."""
+        if seen is None:
+            return cut_short(settling, agrees)
+        slowing = self._slowing(instant, settling.periods + seen.window.periods)
+        return slowing or unsettled(seen, settling.periods, agrees)
+
+    def _slowing(self, instant: Instant, periods: int) -> SettledMotion | None:
+        """Return a motion that slows down for ever, as one may that samples alone drive."""
+        if pace_of(self.flow.subject) == 1:
+            return None
+        course = self.flow.course(instant, periods)
+        seen = slowing_down([course])
+        if seen is None and len(course.events) <= LITTLE:
+            seen, periods = slowing_down(self._courses(instant, periods)), FURTHER * periods
+        if seen is None:
+            return None
+        told = told_of_slowing(seen, self.flow.period * periods)
+        return replace(_of_kind(MotionKind.UNDECIDED, periods, told), slowing=seen)
+
+    def _courses(self, instant: Instant, periods: int) -> Iterator[Course]:
+        for _ in range(FURTHER):
+            course = self.flow.course(instant, periods)
+            yield course
+            instant = course.end
 
     def _by_itself(self, instant: Instant) -> tuple[SettledMotion, float]:
         """Return what a start settles to without a drive, and how long it was followed, s."""

@@ -8,7 +8,8 @@ one over the square of it.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from typing import TypeAlias
 
 import numpy as np
 
@@ -21,14 +22,17 @@ LONGER = 4.0  # By what factor the last return has to be longer than the first o
 LEAST = 1  # Returns between these, at least
 FREELY = 0.05  # Share by which a speed may change between two events
 
+Crossing: TypeAlias = "tuple[tuple[int, int], float, float]"
+"""Mode and function of an event, when it comes, s, and at which rate."""
 
-def slowing_down(courses: Sequence[Course]) -> SlowingDown | None:
-    """Return how a motion without a drive slows down; None if it was not seen to.
+
+def slowing_down(courses: Iterable[Course]) -> SlowingDown | None:
+    """Return how a motion that nothing but samples drives slows down; None if it was not seen to.
 
     Args:
-        courses: The motion, in stretches that follow each other.
+        courses: The motion, in stretches that follow each other; at least one.
     """
-    crossings, begin = list[tuple[tuple[int, int], float, float]](), 0.0
+    crossings, begin = list[Crossing](), 0.0
     for course in courses:
         log, ends = course.log, course.segment_ends
         for row in np.flatnonzero(log.function[1:] >= 0) + 1:
@@ -37,10 +41,15 @@ def slowing_down(courses: Sequence[Course]) -> SlowingDown | None:
             rate = float(abs(function.row @ mode.flow @ ends[row - 1]))
             crossings.append(((int(log.mode[row - 1]), int(log.function[row])), begin + log.start[row], rate))
         begin += course.duration
-    if not crossings or not _moves_freely(courses[-1]):
+    if not crossings or not _moves_freely(course):
         return None
-    ((event, _),) = Counter(each for each, *_ in crossings[len(crossings) // 2 :]).most_common(1)
-    times, speeds = np.array([seen for each, *seen in crossings if each == event]).T
+    return _returning(crossings) or _returning([((mode, 0), time, rate) for (mode, _), time, rate in crossings])
+
+
+def _returning(crossings: Sequence[Crossing]) -> SlowingDown | None:
+    """Return how what comes most often of late, an event or the end of a mode, comes ever later."""
+    ((often, _),) = Counter(each for each, *_ in crossings[len(crossings) // 2 :]).most_common(1)
+    times, speeds = np.array([seen for each, *seen in crossings if each == often]).T
     return _seen(np.diff(times), speeds[1:])
 
 

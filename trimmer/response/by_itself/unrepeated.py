@@ -89,7 +89,7 @@ def _undecided(flow: Flow, found: SelfExcited, most_periods: int | None) -> str:
             f"with a period of {found.passed.period:.9g} s"
         )
     if found.slowing is not None:
-        return _slowing(found.slowing, found.waited)
+        return told_of_slowing(found.slowing, found.waited)
     if found.cut_short:
         return f"{told}, and it was followed no further: {Ending.STEP_LIMIT.value}."
     longer = 10 * max(searched, sum(STRETCHES) if most_periods is None else most_periods)
@@ -101,7 +101,8 @@ def _undecided(flow: Flow, found: SelfExcited, most_periods: int | None) -> str:
     )
 
 
-def _slowing(seen: SlowingDown, waited: float) -> str:
+def told_of_slowing(seen: SlowingDown, waited: float) -> str:
+    """Say in words how a motion slows down that was followed for so long, s."""
     alike = seen.largest - seen.least <= ALIKE * (seen.least - 1.0)
     factors = f"{seen.largest:.4g}" if alike else f"{seen.least:.4g} to {seen.largest:.4g}"
     return (

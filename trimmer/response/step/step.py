@@ -148,7 +148,8 @@ def step_response(
     output, settled = mechanism.controllers[follower].measure, settles_to.motion
     mean, ending = None, ""
     if duration is None:
-        rests = None if settles_to.kind is MotionKind.UNDECIDED else settled.rest is not None
+        unknown = settles_to.kind is MotionKind.UNDECIDED and settled.slowing is None
+        rests = None if unknown else settled.rest is not None
         end = followed(flow, output, step.at, step.size, cycle=settled.orbit, rests=rests)
         course, ending = end.course, _ending(end, settles_to)
         known = end.rests or settled.orbit is not None
@@ -182,9 +183,10 @@ def _ending(end: StepEnd, settles_to: Response) -> str:
 
 
 def _hunting(mechanism: Mechanism, settles_to: Response, output: str, seen: float | None) -> Hunting | None:
-    """Return how an output hunts; None if it rests, grows, or is driven."""
+    """Return how an output hunts; None if it rests, slows down, grows, or is driven."""
     settled = settles_to.motion
-    if mechanism.frequency is not None or settled.rest is not None or settles_to.kind is MotionKind.DIVERGING:
+    calm = settled.rest is not None or settled.slowing is not None
+    if mechanism.frequency is not None or calm or settles_to.kind is MotionKind.DIVERGING:
         return None
     size = settled.peak_to_peak.get(output)
     amplitude = seen if size is None else 0.5 * size
