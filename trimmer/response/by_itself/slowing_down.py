@@ -43,7 +43,8 @@ def slowing_down(courses: Iterable[Course]) -> SlowingDown | None:
         begin += course.duration
     if not crossings or not _moves_freely(course):
         return None
-    return _returning(crossings) or _returning([((mode, 0), time, rate) for (mode, _), time, rate in crossings])
+    ends_of_modes = [((mode, 0), time, rate) for (mode, _), time, rate in crossings]
+    return _returning(crossings) or _returning(ends_of_modes)
 
 
 def _returning(crossings: Sequence[Crossing]) -> SlowingDown | None:
