@@ -374,6 +374,10 @@ class _Integration:
 
 
 def _kind(before: ModeEquations, after: ModeEquations, part: int) -> int:
+    """Return what a part has done; of what is never held nothing is told, as of a piece of a curve."""
     if part in after.held:
         return HOLD_BEGUN
-    return HOLD_ENDED if part in before.held else REVERSED
+    if part in before.held:
+        return HOLD_ENDED
+    may_be_held = any((each.owner, each.action) == (part, ARRIVED) for each in before.functions)
+    return REVERSED if may_be_held else NOTHING
