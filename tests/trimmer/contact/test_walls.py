@@ -5,13 +5,15 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
+from scipy.optimize import brentq
 
 from tests.mechanisms.random_mechanisms import curved, random_mechanism
 from tests.quick import quick
 from tests.trimmer.contact.test_against_brute_force import compare
 from tests.trimmer.problem_machines import machine_text
 from trimmer import Mechanism, MechanismError, follow, respond, simulate
-from trimmer.mechanism import Body, Force, Friction, Link, Pin, Wall
+from trimmer.mechanism import Body, Force, Friction, Link, Pin, Stop, Wall
 
 G = 9.81
 TABLE = machine_text("bouncing-ball")
@@ -226,6 +228,37 @@ def test_a_body_between_two_walls_without_room_stays():
     motion = simulate(held, 2.0)
     assert last(motion) == pytest.approx([0.0, 0.0], abs=0.0)
     assert not motion.events
+
+
+@pytest.mark.parametrize(
+    ("ends", "gap", "start", "force", "damping", "then"),
+    [
+        (("body", "ground"), -0.03, (0.1, -8.0), 0.0, 60.0, "contact broken"),  # Thrown in again: it pushes
+        (("ground", "body"), 0.1, (0.05, 5.0), 2000.0, 20.0, "contact made"),  # Thrown out: it would pull
+    ],
+)
+def test_a_force_that_an_impact_made_jump_is_zero_as_late_as_it_comes_to(
+    ends, gap, start, force, damping, then
+):
+    """A body in a stop of 1 kN/m hits a wall: from there on a vibration, or a flight, by SciPy."""
+    motion = simulate(
+        Mechanism(
+            {"body": Body(1.0)},
+            stops={"stop": Stop(("ground", "body"), 1e3, damping, 0.0, law="truncated")},
+            walls={"wall": Wall(ends, 0.8, gap)},
+            forces={"force": Force("body", force)},
+            start={"body": start},
+        ),
+        0.4,
+    )
+    hit = next(i for i, event in enumerate(motion.events) if event.kind.value == "impact")
+    impact, changed, after = motion.events[hit : hit + 3]
+    pushes = then == "contact broken"
+    flow = np.array([[0, 1, 0], [-1e3 * pushes, -damping * pushes, force], [0, 0, 0]])
+    begin = np.array([abs(gap), (0.8 if pushes else -0.8) * impact.speed, 1.0])
+    stretch = brentq(lambda t: np.array([1e3, damping, 0]) @ expm(flow * t) @ begin, 1e-9, 0.3)
+    assert changed.time == impact.time and after.kind.value == then
+    assert after.time - impact.time == pytest.approx(stretch, rel=1e-9)
 
 
 def test_stick_is_decided_anew_after_an_impact():

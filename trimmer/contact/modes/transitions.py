@@ -143,7 +143,7 @@ def _of_contact(
         return Transition(after, CONTACT_MADE, ((BROKEN, 1 if pulls else 0),))
     if function.action == RETURNED:
         after = _with(statuses, contact, PLUS if status == RELEASED_PLUS else MINUS)
-        return Transition(after, CONTACT_MADE, ((BROKEN, 1),))
+        return Transition(after, CONTACT_MADE, ((BROKEN, int(not jumped)),))
     if function.action == LEFT:
         return Transition(_with(statuses, contact, FREE), NOTHING, ((same_side, 1),))
     if pulls:
@@ -153,4 +153,4 @@ def _of_contact(
         zeros = 1 if jumped else 2
         return Transition(_with(statuses, contact, RELAXING), CONTACT_BROKEN, ((same_side, zeros),))
     released = RELEASED_PLUS if status == PLUS else RELEASED_MINUS
-    return Transition(_with(statuses, contact, released), CONTACT_BROKEN, ((RETURNED, 1),))
+    return Transition(_with(statuses, contact, released), CONTACT_BROKEN, ((RETURNED, int(not jumped)),))
