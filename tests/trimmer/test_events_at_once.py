@@ -107,6 +107,6 @@ def test_a_number_of_one_machine_moves_none_that_is_beside_it_in_step(parts, pla
     machine = Mechanism({body: Body(1.0) for body in bodies}, frequency=0.1, **made)
     orbit = respond(machine).motion.orbit
     value = machine.value(place)
-    rate = DrivenMap(machine, place, value, orbit.periods).passage(value, orbit.strobed[0]).rate()
+    rate = DrivenMap(machine, place, value, orbit.periods).passage(value, orbit.strobed[0]).rate
     assert abs(rate[0::2]).max() > 0.1
     np.testing.assert_allclose(rate[1::2], 0.0, atol=1e-9)

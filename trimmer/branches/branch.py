@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.branches.period_maps.period_map import Signature
+from trimmer.branches.period_maps.driven_passage import Signature
 from trimmer.branches.special import SpecialPoint
 from trimmer.choices import Choice
 from trimmer.kept_property import cached_property

@@ -15,7 +15,7 @@ from trimmer.branches.corner import torn
 from trimmer.branches.joining import front_beyond, joint
 from trimmer.branches.known import Known
 from trimmer.branches.orbit import Problem
-from trimmer.branches.period_maps.period_map import PeriodMap
+from trimmer.branches.period_maps.driven_map import DrivenMap
 from trimmer.branches.settings import DEFAULT, FollowSettings
 from trimmer.branches.special import SpecialPoint
 from trimmer.branches.step import Front, begun
@@ -44,7 +44,7 @@ class _Leg:
 
 
 def continuation(
-    map: PeriodMap, state: Reals, start: float, stop: float, settings: FollowSettings = DEFAULT
+    map: DrivenMap, state: Reals, start: float, stop: float, settings: FollowSettings = DEFAULT
 ) -> Branch:
     """Follow the branch of an orbit over an interval of values.
 
@@ -88,7 +88,7 @@ def _interval(start: float, stop: float, bounds: tuple[float, float] | None) -> 
     return Interval(lowest, highest) if start < stop else Interval(highest, lowest)
 
 
-def _first_front(map: PeriodMap, state: Reals, begin: float, interval: Interval) -> Front | BranchEnd | None:
+def _first_front(map: DrivenMap, state: Reals, begin: float, interval: Interval) -> Front | BranchEnd | None:
     problem = Problem(map, interval.span, np.ones(len(state)))
     guess = problem.place(problem.position(begin, state))
     if guess is None:

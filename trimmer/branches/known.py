@@ -7,7 +7,7 @@ import numpy as np
 from trimmer.branches.bifurcations import Bifurcation
 from trimmer.branches.branch import BranchEnd, BranchPoint
 from trimmer.branches.orbit import Problem
-from trimmer.branches.period_maps.period_map import PeriodMap
+from trimmer.branches.period_maps.driven_map import DrivenMap
 from trimmer.one_orbit import SAME, same_states
 
 FARTHEST = 0.1  # Distance in all coordinates within which a branch that has joined another may have done so
@@ -79,7 +79,7 @@ class Known:
             self.rejoined.append((doublings, last))
 
 
-def _images(map: PeriodMap, point: BranchPoint) -> list[np.ndarray]:
+def _images(map: DrivenMap, point: BranchPoint) -> list[np.ndarray]:
     """Return the states that an orbit passes after each passage of the map that was not doubled."""
     single, count = map, 1
     while single.single is not None:

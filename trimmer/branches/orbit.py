@@ -15,7 +15,8 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Places, Reals, norm
 from trimmer.branches.null_vector import normal_to
-from trimmer.branches.period_maps.period_map import Passage, PeriodMap
+from trimmer.branches.period_maps.driven_map import DrivenMap
+from trimmer.branches.period_maps.driven_passage import DrivenPassage
 from trimmer.errors import TrimmerError
 from trimmer.kept_property import cached_property
 from trimmer.motion.part import Phase
@@ -50,7 +51,7 @@ class Place:
 
     problem: Problem
     position: Reals
-    passage: Passage
+    passage: DrivenPassage
     known: Place | None = None
 
     @property
@@ -84,7 +85,7 @@ class Place:
     @cached_property
     def slope(self) -> Reals:
         """Derivative of the miss by the position, n x (n + 1)."""
-        rate = self.passage.rate() / self.problem.sizes * self.problem.span
+        rate = self.passage.rate / self.problem.sizes * self.problem.span
         return np.column_stack([self.jacobian - np.eye(len(self.miss)), rate])
 
     @cached_property
@@ -212,7 +213,7 @@ class Problem:
         sizes: Scale of each entry of the state, shape (n,).
     """
 
-    map: PeriodMap
+    map: DrivenMap
     span: float
     sizes: Reals
 

@@ -1,15 +1,16 @@
 """Maps whose branches and special points are known, and the passage that they give."""
 
 import math
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
-from trimmer.branches.period_maps.doubled_map import DoubledMap
-from trimmer.branches.period_maps.period_map import Phase
-from trimmer.branches.period_maps.strobe import Restart
+from trimmer.branches.period_maps.driven_passage import Restart
 from trimmer.errors import UnsupportedMotionError
+from trimmer.motion.part import Phase
 
 
 @dataclass(frozen=True, eq=False)
@@ -18,13 +19,13 @@ class Given:
 
     end: np.ndarray
     jacobian: np.ndarray
-    by_value: np.ndarray
+    rate: np.ndarray
     sizes: np.ndarray
     signature: Mapping[tuple[str, Phase], int] = field(default_factory=dict)
     events: int = 0
     grazed: tuple[str, ...] = ()
     is_linear: bool = False
-    middle: None = None
+    middle: np.ndarray | None = None
 
     @property
     def monodromy(self) -> np.ndarray:
@@ -35,9 +36,6 @@ class Given:
 
     def opens(self, part: str, phase: Phase) -> bool:
         return False
-
-    def rate(self) -> np.ndarray:
-        return self.by_value
 
     def strobed(self, state: np.ndarray) -> np.ndarray:
         return state
@@ -54,11 +52,30 @@ class Single:
     doublings = 0
     single = None
 
-    def doubled(self) -> DoubledMap:
-        return DoubledMap(self)
+    def doubled(self) -> "Doubled":
+        return Doubled(self)
 
     def phases(self, value: float, state: np.ndarray) -> list[np.ndarray]:
         return [state]
+
+
+class Doubled(Single):
+    """Two passages of a map as one, without mirror."""
+
+    def __init__(self, single: Any) -> None:
+        self.single, self.size, self.doublings = single, single.size, single.doublings + 1
+
+    def passage(self, value: float, state: np.ndarray) -> Given:
+        first = self.single.passage(value, state)
+        second = self.single.passage(value, first.end)
+        return Given(
+            second.end,
+            second.jacobian @ first.jacobian,
+            second.jacobian @ first.rate + second.rate,
+            np.maximum(first.sizes, second.sizes),
+            Counter(first.signature) + Counter(second.signature),
+            middle=first.end,
+        )
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from tests.trimmer.branches.maps import (
 from trimmer.branches import BranchEnd, FollowSettings, SpecialKind
 from trimmer.branches.branch import Branch
 from trimmer.branches.continuation import continuation
-from trimmer.branches.period_maps.period_map import Phase
+from trimmer.motion.part import Phase
 
 COARSE = FollowSettings(largest_step=0.05)
 CASCADE = (3.0, 1.0 + 6.0**0.5, 3.544090359551, 3.564407266095, 3.568759419544)

@@ -50,7 +50,7 @@ def test_the_derivative_is_that_of_the_end(
         begin, duration = flow.at(passage.begin.state, like=passage.begin), periods * flow.period
         ends.append(flow.timed(begin, duration / 2 if mirrored else duration).end.state)
     numeric = (-1.0 if mirrored else 1.0) * (ends[0] - ends[1]) / (2.0 * step)
-    scaled = (passage.rate() - numeric) * value / passage.sizes
+    scaled = (passage.rate - numeric) * value / passage.sizes
     assert abs(scaled).max() < 5e-6
 
 
@@ -66,7 +66,7 @@ def test_where_a_number_can_be_no_larger_the_difference_is_taken_below(
     """Kinetic friction does not exceed the static one."""
     map = DrivenMap(twin.with_value("frictions.blade.static", 1.0), "frictions.blade.force", 1.0)
     found, beside = (map.passage(force, state) for force in (1.0, 1.0 - 1e-6))
-    scaled = (found.rate() - (found.end - beside.end) / 1e-6) / found.sizes
+    scaled = (found.rate - (found.end - beside.end) / 1e-6) / found.sizes
     assert abs(scaled).max() < 1e-4
 
 

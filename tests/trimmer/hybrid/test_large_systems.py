@@ -92,7 +92,7 @@ def test_the_derivative_by_a_number_of_one_among_many_is_that_of_it_alone(place:
     for count in (COPIES, 1):
         mechanism = copies(range(count))
         map, value = DrivenMap(mechanism, place, mechanism.value(place), 2), mechanism.value(place)
-        rates.append(map.passage(value, np.zeros(map.size)).rate()[[0, count]])
+        rates.append(map.passage(value, np.zeros(map.size)).rate[[0, count]])
     np.testing.assert_allclose(*rates, rtol=1e-6, atol=1e-6 * abs(rates[1]).max())
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.branches.null_vector import null_vector
 from trimmer.branches.orbit import Place, Problem
-from trimmer.branches.period_maps.period_map import PeriodMap
+from trimmer.branches.period_maps.driven_map import DrivenMap
 from trimmer.branches.settings import FollowSettings
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.branches.step import Front, begun
@@ -44,7 +44,7 @@ class Relocated:
 
 
 def relocated(
-    map: PeriodMap, span: float, sought: Sought, value: float, state: Reals, reach: float
+    map: DrivenMap, span: float, sought: Sought, value: float, state: Reals, reach: float
 ) -> Relocated | None:
     """Find a special point on a short piece of branch around a guess.
 

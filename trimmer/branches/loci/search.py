@@ -80,7 +80,7 @@ def restart(search: Search, track: Track) -> None:
     first, second = search.lowest + last.values * search.spans
     passage = search.map_at(1, float(second), track.share).passage(float(first), last.state)
     other = passage.restart(np.zeros(len(last.state) + 1))
-    if other is None or not isinstance(other.map, DrivenMap):
+    if other is None:
         return
     track.share = other.map.share
     for number in range(max(0, len(track.points) - PREDICTING), len(track.points)):

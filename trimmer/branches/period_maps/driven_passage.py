@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trimmer.arrays import Integers, Reals
-from trimmer.branches.period_maps.period_map import Signature
-from trimmer.branches.period_maps.strobe import Restart
 from trimmer.branches.period_maps.value_rate import ValueChange
 from trimmer.hybrid.calm import amid_longest, is_amid
 from trimmer.hybrid.stretch import Instant
@@ -25,6 +24,17 @@ if TYPE_CHECKING:
 
 SHARES = np.linspace(0.0, 1.0, 64)
 """Instants of a passage at which its size is looked at, as shares of it."""
+Signature = Mapping[tuple[str, Phase], int]
+"""How many phases of each kind begin in each part, by name, during a passage."""
+
+
+@dataclass(frozen=True, eq=False)
+class Restart:
+    """An orbit of a branch as one that begins at another instant; see ``trimmer.hybrid.calm``."""
+
+    map: DrivenMap  # The map of its period from there
+    state: Reals  # State there, shape (n,)
+    tangent: Reals  # Which way along the branch its tangent shall point, shape (n + 1,)
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,12 +58,12 @@ class DrivenPassage:
 
     @cached_property
     def jacobian(self) -> Reals:
-        """Derivative of the end by the state, n x n."""
+        """Derivative of the end by the state, all changes of phase included, n x n."""
         return self.returned(self.course.monodromy)
 
     @property
     def monodromy(self) -> Reals:
-        """The matrix whose eigenvalues are the multipliers, n x n."""
+        """The matrix whose eigenvalues are the multipliers, n x n: that, unless the state has the period."""
         return self.jacobian
 
     @cached_property
@@ -126,7 +136,7 @@ class DrivenPassage:
 
     @property
     def is_linear(self) -> bool:
-        """Whether it is a center of one linear mode; what is driven is none."""
+        """Whether nothing but one linear mode of what nothing drives is met: a center."""
         return False
 
     @property
@@ -174,10 +184,6 @@ class DrivenPassage:
         sign = self.flow.mirrored_states if self.map.single.mirrored else 1.0
         return np.asarray(sign * state[: self.flow.size])
 
-    @cached_property
-    def _rate(self) -> Reals:
-        return self.returned(self.rate_of(self.course))
-
     def rate_of(self, course: Course) -> Reals:
         """Return the derivative of the end of the motion, or of a first part of it, by the number, (n,).
 
@@ -198,10 +204,7 @@ class DrivenPassage:
             return np.asarray((end.state - course.end.state) / step)
         return ValueChange(course, flow.modes.system, step, course.duration * (scale - 1.0) / step).rate()
 
+    @cached_property
     def rate(self) -> Reals:
-        """Return the derivative of the end by the number that is varied, shape (n,).
-
-        Raises:
-            UnsupportedMotionError: if the neighbouring motion cannot be followed.
-        """
-        return self._rate
+        """Derivative of the end by the number that is varied, shape (n,); errors as of ``rate_of``."""
+        return self.returned(self.rate_of(self.course))

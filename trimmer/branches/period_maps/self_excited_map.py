@@ -14,8 +14,7 @@ import scipy.optimize
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.branches.period_maps.driven_map import DrivenMap
-from trimmer.branches.period_maps.driven_passage import DrivenPassage
-from trimmer.branches.period_maps.strobe import Restart
+from trimmer.branches.period_maps.driven_passage import DrivenPassage, Restart
 from trimmer.errors import UnsupportedMotionError
 from trimmer.hybrid.calm import amid_longest, is_amid
 from trimmer.hybrid.system import NOTHING
@@ -188,13 +187,10 @@ class SelfExcitedPassage(DrivenPassage):
         middle = super().middle
         return None if middle is None else np.append(middle, self.start[-1])
 
+    @cached_property
     def rate(self) -> Reals:
-        """Return the derivative of the end by the number that is varied, (n + 1,).
-
-        Raises:
-            UnsupportedMotionError: if the neighbouring motion cannot be followed.
-        """
-        return np.append(super().rate(), 0.0)
+        """Derivative of the end by the number that is varied, (n + 1,); errors as of ``rate_of``."""
+        return np.append(super().rate, 0.0)
 
     def strobed(self, state: Reals) -> Reals:
         """Return a state of the orbit and its period, (n + 1,): without a drive any is as good."""
