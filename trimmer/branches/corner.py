@@ -7,7 +7,7 @@ from trimmer.branches.arc import Arc
 from trimmer.branches.borders import Border, special_points
 from trimmer.branches.null_vector import null_vector
 from trimmer.branches.orbit import Place
-from trimmer.branches.step import Front, Step, angle, fold_at
+from trimmer.branches.step import BranchStep, Front, angle, fold_at
 
 REACHES = (1e-10, 1e-9, 1e-8, 1e-7, 1e-6)
 """Distances beyond the last orbit at which the other side of the border is looked for."""
@@ -15,7 +15,7 @@ JUMP = 1e-6  # Miss of a passage from just beyond an orbit that shows that the m
 NEARBY = 30.0  # Largest distance of the first orbit behind the corner, in reaches
 
 
-def turned(front: Front) -> Step | None:
+def turned(front: Front) -> BranchStep | None:
     """Go on behind a corner at the front.
 
     The map has a slope on the other side of the border too, where no orbit is; its null vector is the tangent
@@ -57,11 +57,11 @@ def _first_behind(front: Front, tangent: Reals, reach: float) -> Place | None:
     return place if near else None
 
 
-def _step(front: Front, place: Place, reference: Reals) -> Step | None:
+def _step(front: Front, place: Place, reference: Reals) -> BranchStep | None:
     tangent = place.tangent(reference)
     if tangent is None:
         return None
     special = special_points(Border(front.place, place))
     if special and tangent[-1] * front.tangent[-1] < 0.0:
         special.append(fold_at(special))
-    return Step(front.moved(place, tangent), tuple(special), (), angle(front.tangent, tangent))
+    return BranchStep(front.moved(place, tangent), tuple(special), (), angle(front.tangent, tangent))

@@ -58,7 +58,7 @@ def begun(problem: Problem, place: Place, tangent: Reals, before: Place | None =
 
 
 @dataclass(frozen=True, eq=False)
-class Step:
+class BranchStep:
     """A step along a branch."""
 
     front: Front  # The front after it
@@ -70,7 +70,7 @@ class Step:
     beyond: Place | None = None
 
 
-def step(front: Front, length: float, ends: tuple[float, float], *, smooth: bool = True) -> Step | None:
+def step(front: Front, length: float, ends: tuple[float, float], *, smooth: bool = True) -> BranchStep | None:
     """Follow the branch over a length, or to the end of the interval of values if that comes first.
 
     Args:
@@ -99,7 +99,7 @@ def step(front: Front, length: float, ends: tuple[float, float], *, smooth: bool
         return None
     if rejoined(front, far):
         close = norm(far.position - front.place.position) <= CLOSE_TO_JOINT
-        return Step(front, (), (), 0.0, BranchEnd.REJOINED, far) if close else None
+        return BranchStep(front, (), (), 0.0, BranchEnd.REJOINED, far) if close else None
     try:
         made = _examined(front, arc, far, smooth)
     except LostError:
@@ -175,7 +175,7 @@ def halves(problem: Problem, place: Place) -> Reals | None:
     return None if middle is None else middle / problem.sizes - place.position[:-1]
 
 
-def _examined(front: Front, arc: Arc, far: Place, smooth: bool) -> Step | None:
+def _examined(front: Front, arc: Arc, far: Place, smooth: bool) -> BranchStep | None:
     """Find what is special between the front and an orbit; None if they cannot be on one branch.
 
     Raises:
@@ -202,7 +202,9 @@ def _examined(front: Front, arc: Arc, far: Place, smooth: bool) -> Step | None:
     tangent = far.tangent(arc.direction)
     if tangent is None:
         return None
-    return Step(front.moved(far, tangent), tuple(special), tuple(switches), angle(front.tangent, tangent))
+    return BranchStep(
+        front.moved(far, tangent), tuple(special), tuple(switches), angle(front.tangent, tangent)
+    )
 
 
 def angle(first: Reals, second: Reals) -> float:

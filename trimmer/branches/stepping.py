@@ -11,7 +11,7 @@ from trimmer.branches.corner import torn, turned
 from trimmer.branches.null_vector import null_vector
 from trimmer.branches.orbit import Place, Problem
 from trimmer.branches.settings import FollowSettings
-from trimmer.branches.step import Front, Step, begun, step
+from trimmer.branches.step import BranchStep, Front, begun, step
 from trimmer.one_orbit import SAME
 
 FIRST = 1e-3  # Length of the first step
@@ -56,7 +56,7 @@ class Limits:
     smooth: bool = True  # Whether bifurcations are looked for too, and not only where phases change
 
 
-def steps(front: Front, limits: Limits, count: int) -> Iterator[tuple[Step, Problem] | BranchEnd]:
+def steps(front: Front, limits: Limits, count: int) -> Iterator[tuple[BranchStep, Problem] | BranchEnd]:
     """Yield one step after the other, with the problem in whose scale it was made, and why they end.
 
     What joins another branch ends with a step that says so. ``count`` orbits are known at the beginning.
@@ -125,7 +125,7 @@ def _restarted(front: Front) -> Front:
 
 def longest_step(
     front: Front, length: float, limits: Limits, smallest: float = SMALLEST
-) -> tuple[Step | None, float]:
+) -> tuple[BranchStep | None, float]:
     """Take a step, shortened until it succeeds or turns a corner; also return the length of the next one."""
     length = min(length, LARGEST_MOVE, limits.settings.largest_step / max(abs(front.tangent[-1]), 1e-12))
     while length >= smallest:

@@ -24,7 +24,7 @@ from trimmer.contact.machine.statuses import WITHIN as UNLIMITED
 from trimmer.contact.modes.assembly import flow_without_stick
 from trimmer.contact.modes.control_limits import first_control
 from trimmer.contact.modes.curves import segments_at
-from trimmer.contact.state.layout import Layout
+from trimmer.contact.state.layout import MechanismLayout
 from trimmer.hybrid.clock import WITHIN
 from trimmer.kept_property import cached_property
 from trimmer.linear.margins import Margins, StandingStates, margins_of, standing_states
@@ -121,7 +121,7 @@ class _LinearMachine:
         return MechanismFlow(self.mechanism)
 
     @property
-    def layout(self) -> Layout:
+    def layout(self) -> MechanismLayout:
         return self.flow.modes.system.layout
 
     @cached_property
@@ -176,7 +176,7 @@ def _balanced(matrix: Reals) -> Reals:
 
 
 def _stability(
-    closed: Reals, layout: Layout, kept: Places, sample: float | None = None
+    closed: Reals, layout: MechanismLayout, kept: Places, sample: float | None = None
 ) -> tuple[Complexes, float, str]:
     """Return eigenvalues, 1/s, the fastest rate of growth, and what is marginal, in words."""
     balanced = _balanced(closed)
@@ -195,7 +195,7 @@ def _stability(
     return np.concatenate([values, zeros]), grows, _told(standing, swinging, layout, kept)
 
 
-def _told(standing: StandingStates, swinging: Reals, layout: Layout, kept: Places) -> str:
+def _told(standing: StandingStates, swinging: Reals, layout: MechanismLayout, kept: Places) -> str:
     """Say what is free, what runs away with the time, and what swings undamped."""
     free, running = (
         list(dict.fromkeys(_named(layout, int(kept[place])) for place in places))
@@ -214,7 +214,7 @@ def _told(standing: StandingStates, swinging: Reals, layout: Layout, kept: Place
     return ", ".join(told)
 
 
-def _named(layout: Layout, place: int) -> str:
+def _named(layout: MechanismLayout, place: int) -> str:
     """Return whose a state is: a coordinate, with its rate, or a controller."""
     count = len(layout.coordinates)
     if place < 2 * count:

@@ -29,7 +29,7 @@ from trimmer.contact.stability import NEGLIGIBLE, damping, is_bounded, is_mirror
 from trimmer.contact.start import instant_at, require_within_walls, set_free
 from trimmer.contact.state.frame import Frame, frame_of
 from trimmer.contact.state.references import settled_references
-from trimmer.hybrid.affine_modes import Change, is_straight
+from trimmer.hybrid.affine_modes import ArrayChange, is_straight
 from trimmer.hybrid.stretch import Instant
 from trimmer.hybrid.system import ModeEquations, System
 from trimmer.hybrid.tables import Modes
@@ -214,7 +214,7 @@ class MechanismFlow(Flow):
         changes = {
             name: change
             for name, first, end in zip(machine._fields, machine, arrays[2], strict=True)
-            if len((change := Change.between(first, end)).places)
+            if len((change := ArrayChange.between(first, end)).places)
         }
 
         def system(_: Callable[[], Subject], share: float) -> MechanismSystem:

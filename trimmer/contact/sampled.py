@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.contact.controllers.sampled_laws import BEFORE, Law, law_of
+from trimmer.contact.controllers.sampled_laws import BEFORE, SampledLaw, law_of
 from trimmer.contact.readouts.outputs import signal_of, speed_beyond
-from trimmer.contact.state.layout import Layout
-from trimmer.contact.state.rows import Rows
+from trimmer.contact.state.layout import MechanismLayout
+from trimmer.contact.state.rows import EndRows
 from trimmer.errors import MechanismError
 from trimmer.hybrid.clock import ABOVE, BELOW, WITHIN
 from trimmer.hybrid.system import Sampler
@@ -32,11 +32,11 @@ class SampledControllers:
     """The sampled controllers of a mechanism."""
 
     mechanism: Mechanism  # The mechanism
-    layout: Layout  # Names and places of its extended state
+    layout: MechanismLayout  # Names and places of its extended state
     _known: dict[bool, tuple[Reals, Reals]] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
-    def laws(self) -> dict[str, Law]:
+    def laws(self) -> dict[str, SampledLaw]:
         """The law of each, by name."""
         return {name: law_of(self.mechanism.controllers[name]) for name in self.layout.held}
 
@@ -120,7 +120,7 @@ class SampledControllers:
     def _terms(self, name: str, modes: Modes[Any], number: int) -> Reals:
         """Return the states of a law and its inputs as functionals, (s + 4, N)."""
         controller, held = self.mechanism.controllers[name], self.layout.held[name]
-        rows, size = Rows(self.mechanism, self.layout), self.layout.size
+        rows, size = EndRows(self.mechanism, self.layout), self.layout.size
         reference, rate = rows.reference(controller.reference)
         return np.array(
             [

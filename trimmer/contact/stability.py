@@ -7,7 +7,7 @@ import numpy as np
 from trimmer.arrays import Complexes, Reals
 from trimmer.contact.machine.machine import Machine
 from trimmer.contact.modes.curves import add_least_curves
-from trimmer.contact.state.layout import Layout
+from trimmer.contact.state.layout import MechanismLayout
 from trimmer.contact.state.references import references_in
 from trimmer.hybrid.system import ModeEquations
 from trimmer.mechanism import Mechanism, SineReference
@@ -19,7 +19,7 @@ NEGLIGIBLE = 1e-9
 ROUNDING = 64 * float(np.finfo(float).eps)  # Rounding of a sum as a share of the moduli of its terms
 
 
-def is_mirror_symmetric(mechanism: Mechanism, layout: Layout, period: float) -> bool:
+def is_mirror_symmetric(mechanism: Mechanism, layout: MechanismLayout, period: float) -> bool:
     """Say whether x(t) and -x(t + T/2) are motions alike; see ``Flow.is_mirror_symmetric``."""
     odd = all(order % 2 == 1 for order in layout.orders)
     centred = all(mean_of(pin) == 0 and pin.velocity == 0 for pin in mechanism.pins.values())

@@ -39,7 +39,7 @@ SAME = (
 _System = TypeVar("_System", bound=System)
 
 
-class Change(NamedTuple):
+class ArrayChange(NamedTuple):
     """By how much a table changes from the first value to the last: places in it, and how much there."""
 
     places: Places
@@ -58,7 +58,7 @@ class Change(NamedTuple):
         return found
 
     @classmethod
-    def between(cls, first: Reals, last: Reals) -> Change:
+    def between(cls, first: Reals, last: Reals) -> ArrayChange:
         """Return how one table becomes another; what is not finite is the same in both."""
         places = np.flatnonzero(first != last)
         return cls(places, last.reshape(-1)[places] - first.reshape(-1)[places])
@@ -91,7 +91,7 @@ class AffineModes(Generic[_System]):
 
     def __post_init__(self) -> None:
         self._base: Tables | None = None
-        self._changes: Mapping[str, Change] = {}
+        self._changes: Mapping[str, ArrayChange] = {}
         self._blocks: _Blocks | None = None
 
     def learn(self, modes: Modes[Any]) -> bool:
@@ -122,7 +122,7 @@ class AffineModes(Generic[_System]):
         )
         if not same or not _are_straight(first, middle, last):
             return None
-        changes = {name: Change.between(getattr(first, name), getattr(last, name)) for name in NUMBERS}
+        changes = {name: ArrayChange.between(getattr(first, name), getattr(last, name)) for name in NUMBERS}
         self._changes = {name: change for name, change in changes.items() if len(change.places)}
         self._blocks = _Blocks.of(first, self._changes)
         return first
@@ -160,13 +160,13 @@ class _Blocks:
     """
 
     base: Reals  # All these tables at the first value, one after the other
-    change: Change  # Their change
+    change: ArrayChange  # Their change
     start: Reals  # What they are where they change, at the first value
     parts: Mapping[str, tuple[slice, tuple[int, ...]]]  # Where each of them is, and its shape
     known: list[Reals]  # The pieces
 
     @classmethod
-    def of(cls, base: Tables, changes: Mapping[str, Change]) -> _Blocks:
+    def of(cls, base: Tables, changes: Mapping[str, ArrayChange]) -> _Blocks:
         """Return memory for some tables, of which that at the first value and the changes are given."""
         parts, places, end = dict[str, tuple[slice, tuple[int, ...]]](), [np.empty(0, dtype=np.intp)], 0
         for name, change in changes.items():
@@ -176,7 +176,7 @@ class _Blocks:
             end += table.size
         first = np.concatenate([np.empty(0), *(getattr(base, name).reshape(-1) for name in changes)])
         by = np.concatenate([np.empty(0), *(each.by for each in changes.values())])
-        change = Change(np.concatenate(places), by)
+        change = ArrayChange(np.concatenate(places), by)
         return cls(first, change, first[change.places], parts, [])
 
     def at(self, share: float) -> dict[str, Any]:

@@ -127,7 +127,7 @@ def _jump(modes: Modes[Any], log: Log, first: int, last: int, distances: Reals) 
 
 
 @dataclass(frozen=True, eq=False)
-class Jump:
+class Saltation:
     """What one event makes of small distances."""
 
     before: int  # The mode before
@@ -149,7 +149,7 @@ class Jump:
         return float(self.function.row @ self.rates)
 
 
-def jumps(modes: Modes[Any], log: Log, first: int, last: int) -> Iterator[Jump]:
+def jumps(modes: Modes[Any], log: Log, first: int, last: int) -> Iterator[Saltation]:
     """Yield what happens at one instant, of which some rows of a log tell, one after the other."""
     events = [row for row in range(first, last + 1) if log.function[row] >= 0]
     if not events:
@@ -168,7 +168,7 @@ def jumps(modes: Modes[Any], log: Log, first: int, last: int) -> Iterator[Jump]:
         rates = modes[before].flow @ here
         change = modes[after].flow @ there - (rates if reset is None else reset @ rates)
         late = [number for number, _ in following] if place == len(found) else ()
-        yield Jump(before, function, after, here, there, reset, rates, change, following=late)
+        yield Saltation(before, function, after, here, there, reset, rates, change, following=late)
         here = there
 
 
@@ -183,7 +183,7 @@ def _impulse(modes: Modes[Any], log: Log, row: int) -> tuple[Reals, Reals] | Non
     return found
 
 
-def _jumps_by_impulses(modes: Modes[Any], log: Log, first: int, last: int) -> Iterator[Jump]:
+def _jumps_by_impulses(modes: Modes[Any], log: Log, first: int, last: int) -> Iterator[Saltation]:
     """Yield the impulses at one instant one after the other; all else that changes there follows the last.
 
     Each may come earlier or later in a neighbouring motion, but for one that ends what comes to rest.
@@ -200,7 +200,7 @@ def _jumps_by_impulses(modes: Modes[Any], log: Log, first: int, last: int) -> It
         row_of_gap = gap if gap @ rates < 0 else np.zeros_like(gap)
         function = EventFunction(int(log.part[row]), STRUCK, row_of_gap)
         following, kind = after if is_last else None, int(log.kind[row])
-        yield Jump(before, function, following, here, there, reset, rates, change, kind)
+        yield Saltation(before, function, following, here, there, reset, rates, change, kind)
         here = there
 
 

@@ -9,7 +9,7 @@ from trimmer.arrays import Reals
 from trimmer.errors import DivergingMotionError, OrbitNotFoundWarning
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.hybrid.system import NOTHING
-from trimmer.maps.measures import Measures, chosen, of_orbit, of_window
+from trimmer.maps.measures import CellMeasures, chosen, of_orbit, of_window
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.time_scale import time_scale
@@ -94,7 +94,7 @@ def came_to_in_loop(flow: Flow) -> tuple[CameTo, ...]:
     return (CameTo(MotionKind.DIVERGING if grows else MotionKind.UNDECIDED),)
 
 
-def measured(flow: Flow, found: CameTo, keys: tuple[str, ...]) -> Measures | None:
+def measured(flow: Flow, found: CameTo, keys: tuple[str, ...]) -> CellMeasures | None:
     """Return the measures of a motion over one period of its own, or over returns, with further ones."""
     if found.course is None or found.course.ending is not Ending.REACHED_END:
         return None

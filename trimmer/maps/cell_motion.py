@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from trimmer.maps.measures import Measures
+from trimmer.maps.measures import CellMeasures
 from trimmer.maps.settle import strobed_sizes
 from trimmer.one_orbit import LEAST_KNOWN, SAME, ClosedCurve, are_one
 from trimmer.response.periodic.shooting import CLOSED
@@ -39,7 +39,7 @@ class CellMotion:
     largest_multiplier: float | None = None
     lyapunov: float | None = None
     states: tuple[tuple[float, ...], ...] = ()
-    measures: Measures | None = None
+    measures: CellMeasures | None = None
     starts: int = 1
     failure: str = ""
     neutral: bool = False

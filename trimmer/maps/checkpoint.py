@@ -17,7 +17,7 @@ from trimmer.json_data import DataError, typed
 from trimmer.maps.cell_motion import CellMotion
 from trimmer.maps.cells import CellResult
 from trimmer.maps.inputs import FORMAT, MapInputs, varied
-from trimmer.maps.measures import Measures
+from trimmer.maps.measures import CellMeasures
 from trimmer.motion.flow import Flow
 from trimmer.response.flows import flow_of
 from trimmer.response.results.response import MotionKind
@@ -112,7 +112,7 @@ def _problem_of_motion(motion: CellMotion, flow: Flow) -> str:
     return _problem_of_kind(motion, motion.measures, flow) or _problem_of_sizes(motion, motion.measures)
 
 
-def _problem_of_kind(motion: CellMotion, measures: Measures, flow: Flow) -> str:
+def _problem_of_kind(motion: CellMotion, measures: CellMeasures, flow: Flow) -> str:
     """Say what of a motion does not fit its kind or the mechanism."""
     repeats = motion.kind is MotionKind.PERIODIC
     if repeats is not (motion.period_count > 0):
@@ -131,7 +131,7 @@ def _problem_of_kind(motion: CellMotion, measures: Measures, flow: Flow) -> str:
     return ""
 
 
-def _problem_of_sizes(motion: CellMotion, measures: Measures) -> str:
+def _problem_of_sizes(motion: CellMotion, measures: CellMeasures) -> str:
     """Say which number of a motion is of no size that it can have; wear may round to less than nothing."""
     sizes = {
         "largest_multiplier": motion.largest_multiplier or 0.0,

@@ -63,7 +63,7 @@ def jumps(
         highest = changes[at] >= changes[max(at - 1, 0) : at + 2].max()
         if highest and any(plateau.kind in CALM for plateau in plateaus[at : at + 2]):
             chosen = int(np.argmax(abs(shares[at + 1] - shares[at])))
-            step_of = _Step(outputs[chosen], *values[at : at + 2], *sizes[at : at + 2, chosen].tolist())
+            step_of = _SweepStep(outputs[chosen], *values[at : at + 2], *sizes[at : at + 2, chosen].tolist())
             narrow = step_of.narrowed(ends[at], step)
             if abs(narrow.change) >= LEFT * abs(step_of.change):
                 found.append(Jump(at + 1, narrow.before, narrow.after, narrow.output, narrow.change))
@@ -71,7 +71,7 @@ def jumps(
 
 
 @dataclass(frozen=True)
-class _Step:
+class _SweepStep:
     """A step of a sweep: the values before and after it, and the strokes of an output there."""
 
     output: str
@@ -84,7 +84,7 @@ class _Step:
     def change(self) -> float:
         return self.last - self.first
 
-    def narrowed(self, instant: Instant, step: Step) -> _Step:
+    def narrowed(self, instant: Instant, step: Step) -> _SweepStep:
         """Return the half of the half of it, and so on, in which more of the change is."""
         narrow = self
         for _ in range(HALVINGS):

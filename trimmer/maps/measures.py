@@ -15,11 +15,11 @@ from trimmer.contact.machine.statuses import STICK
 from trimmer.contact.readouts.curve_forces import curve_forces
 from trimmer.hybrid.system import NOTHING
 from trimmer.mechanism.parts import OutputKind
-from trimmer.motion import measures as exact
 from trimmer.motion.chosen import chosen_measure
 from trimmer.motion.course import Course
 from trimmer.motion.extremes import extremes
 from trimmer.motion.flow import Flow
+from trimmer.motion.measures import Measures
 from trimmer.motion.signals import Steady
 from trimmer.response.without_events.linear_lines import LinearLines
 from trimmer.response.without_events.linear_motion import LinearMotion
@@ -29,7 +29,7 @@ SAMPLES = 128  # Samples per drive period of a window, beside its events
 
 
 @dataclass(frozen=True)
-class Measures:
+class CellMeasures:
     """Measures of a motion over some drive periods.
 
     Attributes:
@@ -55,11 +55,11 @@ def chosen(
     flow: Flow, course: Course, period_count: int, periods: int, keys: Sequence[str], *, rests: bool = False
 ) -> dict[str, float]:
     """Return measures of a motion by their keys, exact to rounding; arguments as of ``motion.Measures``."""
-    found = exact.Measures(course, flow, period_count, periods, still=rests and stands(flow))
+    found = Measures(course, flow, period_count, periods, still=rests and stands(flow))
     return {key: chosen_measure(flow, key).of(found) for key in keys}
 
 
-def of_orbit(flow: Flow, course: Course, period_count: int, *, rests: bool = False) -> Measures:
+def of_orbit(flow: Flow, course: Course, period_count: int, *, rests: bool = False) -> CellMeasures:
     """Return the measures of an orbit, exact to rounding.
 
     Args:
@@ -68,9 +68,9 @@ def of_orbit(flow: Flow, course: Course, period_count: int, *, rests: bool = Fal
         period_count: Drive periods that it lasts.
         rests: Whether all states rest in it.
     """
-    found = exact.Measures(course, flow, period_count, period_count, still=rests and stands(flow))
+    found = Measures(course, flow, period_count, period_count, still=rests and stands(flow))
     frictions = {name: each.power for name, each in found.frictions.items()}
-    return Measures(
+    return CellMeasures(
         dict(found.peak_to_peak),
         dict(found.rms_acceleration),
         {name: frictions.get(name, 0.0) for name in flow.rubbing},
@@ -78,7 +78,7 @@ def of_orbit(flow: Flow, course: Course, period_count: int, *, rests: bool = Fal
     )
 
 
-def of_window(flow: Flow, course: Course, periods: int) -> Measures:
+def of_window(flow: Flow, course: Course, periods: int) -> CellMeasures:
     """Return the measures of a motion that does not repeat, from even samples.
 
     Args:
@@ -106,7 +106,7 @@ def of_window(flow: Flow, course: Course, periods: int) -> Measures:
         forces = curve_forces(course, "frictions", name, rows, states)
         means[number] += (forces * product(states, machine.friction_rate[number : number + 1])[:, 0]).mean()
     powers = dict(zip(names, means, strict=True))
-    return Measures(
+    return CellMeasures(
         _swings(flow, course, times, states),
         dict(zip(layout.shaken, np.sqrt((accelerations**2).mean(axis=0)).tolist(), strict=True)),
         {name: float(powers.get(name, 0.0)) for name in mechanism.frictions},
@@ -182,7 +182,7 @@ def _top_of_cubic(times: Reals, values: Reals, rates: Reals, first: int) -> floa
     return float(values[first] + max((s * (begin + s * (second + s * third)) for s in inside), default=0.0))
 
 
-def of_lines(lines: LinearLines, motion: LinearMotion) -> Measures:
+def of_lines(lines: LinearLines, motion: LinearMotion) -> CellMeasures:
     """Return the measures of a linear motion on a torus, exact to rounding; no event comes in it.
 
     Args:
@@ -192,10 +192,10 @@ def of_lines(lines: LinearLines, motion: LinearMotion) -> Measures:
     flow = motion.flow
     if not isinstance(flow, MechanismFlow):  # Friction in a loop has an event in each period.
         nothing = dict.fromkeys(flow.rubbing, 0.0)
-        return Measures(dict(lines.peak_to_peak), {}, nothing, 0.0, 0.0, 0.0)
+        return CellMeasures(dict(lines.peak_to_peak), {}, nothing, 0.0, 0.0, 0.0)
     sliding = np.array(flow.modes.system.machine.of_frictions(motion.instant.statuses)) != STICK
     speeds = [abs(motion.seen_by(row)[0]) for row in flow.modes.system.machine.friction_rate]
     powers = flow.modes.system.machine.kinetic * np.array(speeds) * sliding
     of_each = dict(zip(flow.modes.system.layout.frictions, powers.tolist(), strict=True))
     wear = {name: float(of_each.get(name, 0.0)) for name in flow.mechanism.frictions}
-    return Measures(dict(lines.peak_to_peak), dict(lines.rms_acceleration), wear, 0.0, 0.0, 0.0)
+    return CellMeasures(dict(lines.peak_to_peak), dict(lines.rms_acceleration), wear, 0.0, 0.0, 0.0)

@@ -58,7 +58,7 @@ def special_curves(
     seconds = [float(lowest + (line + 0.5) / lines * (highest - lowest)) for line in range(lines)]
     work = LineWork(result.inputs.subject, result.places, ranges)
     found = in_order(runner, work, seconds, "branches", quiet)
-    search = _Search(runner, SideWork(result.places[1], ranges), quiet)
+    search = _CurveSearch(runner, SideWork(result.places[1], ranges), quiet)
     for number, line in enumerate(found, start=1):
         search.add(line, most_curves * number)
     spans = np.array([highest - lowest for lowest, highest in ranges.both])
@@ -66,7 +66,7 @@ def special_curves(
     return SpecialCurves(tuple(search.curves), _searched(result, found, search), met)
 
 
-class _Search:
+class _CurveSearch:
     """The curves that were found so far."""
 
     def __init__(self, runner: Runner, work: SideWork, quiet: bool) -> None:
@@ -126,7 +126,7 @@ def _points(line: Line) -> Iterator[tuple[FollowedBranch, SpecialPoint]]:
             yield from ((branch, point) for point in branch.special)
 
 
-def _searched(result: MotionMap, lines: Sequence[Line], search: _Search) -> str:
+def _searched(result: MotionMap, lines: Sequence[Line], search: _CurveSearch) -> str:
     first, second = result.places
     at = ", ".join(f"{line.second:.6g}" for line in lines)
     unsettled = [f"{line.second:.6g}" for line in lines if not line.branches]

@@ -71,7 +71,7 @@ def step_measures(
     if not step.size or not 0 <= step.at < course.duration:
         raise ValueError(f"{step} must not be 0, and lie within the motion of {course.duration:g} s")
     sign = math.copysign(1.0, step.size)
-    pieces = _Pieces(course, lambda mode: sign * output(mode), _from(course, output, step.at, sign))
+    pieces = _Monotone(course, lambda mode: sign * output(mode), _from(course, output, step.at, sign))
     size = abs(step.size)
     first, last = (pieces.first_reaching(share * size) for share in RISE)
     settling = pieces.settling(size, BAND * size)
@@ -102,7 +102,7 @@ def _from(course: Course, signal: Signal, begin: float, sign: float) -> TurningP
 
 
 @dataclass(frozen=True, eq=False)
-class _Pieces:
+class _Monotone:
     """A signal between whose points, in each row of the log, it only rises or only falls."""
 
     course: Course

@@ -28,7 +28,7 @@ from trimmer.response.results.response import MotionKind, Response, SettledMotio
 from trimmer.response.results.same import largest_states, same_motion, same_orbit, twins
 from trimmer.response.settling.settling import Settling
 from trimmer.response.settling.solved import at_rest, rest_of, settled_at_last
-from trimmer.response.settling.verdict import Seen, cut_short, grown, look_closely, unsettled
+from trimmer.response.settling.verdict import SeenMotion, cut_short, grown, look_closely, unsettled
 from trimmer.response.starts import Start, instant_of
 from trimmer.response.without_events.linear_motion import linear_motion
 from trimmer.response.without_events.rest import Rest
@@ -88,7 +88,7 @@ def respond(
     if diverges_by_pull(mechanism):
         return Response(mechanism, (_pulled(starts),), starts, dict(box or {}), seed)
     require_repeating(flow)
-    search = _Search(flow, most_periods, [])
+    search = _Starts(flow, most_periods, [])
     begin = instant_of(flow, state)
     first = search.motion(begin)
     reached = dict(box) if box is not None else _reached(flow, first, begin)
@@ -99,7 +99,7 @@ def respond(
 
 
 @dataclass(frozen=True, eq=False)
-class _Search:
+class _Starts:
     """The starts of one mechanism, and the stable orbits that they met."""
 
     flow: Flow
@@ -164,7 +164,7 @@ class _Search:
         return _settled(orbit, settling.periods, agrees, told)
 
     def _unsettled(
-        self, settling: Settling, seen: Seen | None, instant: Instant, agrees: bool | None
+        self, settling: Settling, seen: SeenMotion | None, instant: Instant, agrees: bool | None
     ) -> SettledMotion:
         """Return what is known of a motion that was not seen to settle."""
         if seen is None:

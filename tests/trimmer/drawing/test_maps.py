@@ -15,10 +15,10 @@ from tests.trimmer.maps.machines import impact_oscillator
 from trimmer.maps.cell_motion import CellMotion
 from trimmer.maps.cells import CellResult
 from trimmer.maps.inputs import MapInputs, Settings
-from trimmer.maps.measures import Measures
+from trimmer.maps.measures import CellMeasures
 
 KIND = trimmer.MotionKind
-MEASURES = Measures({"x": 1.0}, {"mass": 1.0}, {}, 1.0, 1.0, 1.0)
+MEASURES = CellMeasures({"x": 1.0}, {"mass": 1.0}, {}, 1.0, 1.0, 1.0)
 THREE = ((KIND.PERIODIC, 1), (KIND.PERIODIC, 2), (KIND.CHAOTIC, 0))
 NAMES = ("period 1", "period 2", "chaotic over 300 drive periods")
 ALL = (

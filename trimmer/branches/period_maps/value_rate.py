@@ -19,7 +19,7 @@ from trimmer.hybrid.propagation import (
 from trimmer.hybrid.system import System
 from trimmer.hybrid.tables import NO_RESET, Modes, Tables
 from trimmer.hybrid.taylor import DEGREE
-from trimmer.hybrid.variation import Jump, end_of_instant, identity, in_turn, jumps
+from trimmer.hybrid.variation import Saltation, end_of_instant, identity, in_turn, jumps
 from trimmer.hybrid.work import Log
 from trimmer.kept_property import cached_property
 from trimmer.motion.course import Course
@@ -178,7 +178,7 @@ class ValueChange:
             tangent = self._fitted(jump.after, tangent, jump.there)
         return tangent
 
-    def _changed(self, jump: Jump, first: int) -> tuple[Reals, Reals | None]:
+    def _changed(self, jump: Saltation, first: int) -> tuple[Reals, Reals | None]:
         """Return the derivative of what falls to zero, (N,), and the reset at the other value, (N, N)."""
         modes = self.course.modes
         if jump.kind is not None:
@@ -194,7 +194,7 @@ class ValueChange:
         changed = [(self.other.mode(modes[number].statuses), place) for number, place in places]
         return row_rate, in_turn(self.other.reset(each, each.functions[place]) for each, place in changed)
 
-    def _place_of(self, jump: Jump, first: int) -> tuple[int, int]:
+    def _place_of(self, jump: Saltation, first: int) -> tuple[int, int]:
         """Return in which mode an event function is, and its number there: of the first mode that has it."""
         # A mode of a large system may have been assembled anew in between.
         return next(

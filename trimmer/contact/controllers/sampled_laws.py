@@ -18,7 +18,7 @@ INPUTS = ("y", "r", "r'", "v")
 BEFORE = "y before"  # The state that is the output at the last sample
 
 
-class Law(NamedTuple):
+class SampledLaw(NamedTuple):
     """A sampled law of s states and the inputs."""
 
     states: tuple[str, ...]  # What the states are
@@ -33,13 +33,13 @@ def _units(states: tuple[str, ...]) -> dict[str, Reals]:
 
 
 @singledispatch
-def law_of(controller: Controller) -> Law:
+def law_of(controller: Controller) -> SampledLaw:
     """Return the law of a sampled controller."""
     raise AssertionError("every kind of controller has a law")
 
 
 @law_of.register
-def _(controller: Pid) -> Law:
+def _(controller: Pid) -> SampledLaw:
     states = ("I",) * controller.integrates + ("z",) * (controller.kd != 0)
     of, sample = _units(states), float(controller.sample or 0.0)
     error, keep = of["r"] - of["y"], dict[str, Reals]()
@@ -54,7 +54,7 @@ def _(controller: Pid) -> Law:
 
 
 @law_of.register
-def _(controller: Cascade) -> Law:
+def _(controller: Cascade) -> SampledLaw:
     differs = controller.speed == DIFFERENCE
     states = ("I",) * controller.integrates + (BEFORE,) * differs
     of, sample = _units(states), float(controller.sample or 0.0)
@@ -71,7 +71,7 @@ def _(controller: Cascade) -> Law:
 
 
 @law_of.register
-def _(controller: TransferController) -> Law:
+def _(controller: TransferController) -> SampledLaw:
     half = 0.5 * float(controller.sample or 0.0)
     leading = controller.denominator[0]
     below = np.array(controller.denominator[1:]) / leading
@@ -93,8 +93,10 @@ def _(controller: TransferController) -> Law:
     return _law(controller, states, demand, dict(zip(states, keep, strict=True)))
 
 
-def _law(controller: Controller, states: tuple[str, ...], demand: Reals, keep: dict[str, Reals]) -> Law:
+def _law(
+    controller: Controller, states: tuple[str, ...], demand: Reals, keep: dict[str, Reals]
+) -> SampledLaw:
     time, sample = controller.tracking_time, float(controller.sample or 0.0)
     follow = [sample / time if name == "I" and time is not None else 0.0 for name in states]
     rows = np.array([keep[name] for name in states]).reshape(len(states), len(demand))
-    return Law(states, demand, rows, np.array(follow))
+    return SampledLaw(states, demand, rows, np.array(follow))

@@ -11,11 +11,11 @@ from trimmer.contact.controllers.laws import Law, laws_of
 from trimmer.mechanism.parts import OutputKind
 
 if TYPE_CHECKING:
-    from trimmer.contact.state.rows import Rows
+    from trimmer.contact.state.rows import EndRows
     from trimmer.mechanism import Controller, Mechanism, Output
 
 
-def control_arrays(mechanism: Mechanism, rows: Rows, base: Reals) -> dict[str, Any]:
+def control_arrays(mechanism: Mechanism, rows: EndRows, base: Reals) -> dict[str, Any]:
     """Return the arrays of a machine for its controllers; the laws of their states go into a base, (N, N)."""
     laws = laws_of(mechanism)
     size, count, numbers = len(base), len(mechanism.coordinates), len(laws)
@@ -56,14 +56,14 @@ def _places(first: int, law: Law) -> tuple[slice, slice]:
     return slice(first, own), slice(own, own + len(law.acting.names))
 
 
-def inputs_of(mechanism: Mechanism, controller: Controller, rows: Rows) -> tuple[Reals, Reals, Reals]:
+def inputs_of(mechanism: Mechanism, controller: Controller, rows: EndRows) -> tuple[Reals, Reals, Reals]:
     """Return error, speed and rate of the reference of a controller as functionals, (N,) each."""
     measured = measured_row(mechanism, mechanism.outputs[controller.measure], rows)
     value, rate = rows.reference(controller.reference)
     return value - measured, _speed(mechanism, controller, rows), rate
 
 
-def _speed(mechanism: Mechanism, controller: Controller, rows: Rows) -> Reals:
+def _speed(mechanism: Mechanism, controller: Controller, rows: EndRows) -> Reals:
     if controller.speed is not None:
         return measured_row(mechanism, mechanism.outputs[controller.speed], rows)
     output = mechanism.outputs[controller.measure]
@@ -72,7 +72,7 @@ def _speed(mechanism: Mechanism, controller: Controller, rows: Rows) -> Reals:
     return np.asarray(sum(weight * rows.velocity(of) for of, weight in output.weights.items()))
 
 
-def measured_row(mechanism: Mechanism, output: Output, rows: Rows) -> Reals:
+def measured_row(mechanism: Mechanism, output: Output, rows: EndRows) -> Reals:
     """Return a displacement, a velocity, or the force of a link without a curve as a functional, (N,)."""
     if output.kind is OutputKind.FORCE:
         link = mechanism.links[str(output.part)]

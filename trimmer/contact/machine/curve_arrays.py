@@ -14,7 +14,7 @@ from trimmer.arrays import Reals
 from trimmer.mechanism.parts import GROUND
 
 if TYPE_CHECKING:
-    from trimmer.contact.state.rows import Rows
+    from trimmer.contact.state.rows import EndRows
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.mechanism.parts import Curve
 
@@ -27,7 +27,7 @@ class Segments(NamedTuple):
     heights: Reals
 
 
-def curve_arrays(mechanism: Mechanism, rows: Rows) -> dict[str, Any]:
+def curve_arrays(mechanism: Mechanism, rows: EndRows) -> dict[str, Any]:
     """Return the arrays of a machine for its curves: see ``Machine``."""
     names = rows.layout.curves
     parts = [(section, getattr(mechanism, section)[name]) for section, name in names]
@@ -47,7 +47,7 @@ def curve_arrays(mechanism: Mechanism, rows: Rows) -> dict[str, Any]:
     }
 
 
-def _over(rows: Rows, is_link: bool, between: tuple[str, str]) -> Reals:
+def _over(rows: EndRows, is_link: bool, between: tuple[str, str]) -> Reals:
     """Return the distance of two ends, or their relative velocity, as a functional, (N,)."""
     start, end = between
     of = rows.displacement if is_link else rows.velocity

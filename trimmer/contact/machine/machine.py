@@ -11,8 +11,8 @@ from trimmer.contact.machine.curve_arrays import curve_arrays
 from trimmer.contact.machine.statuses import PULLS, RELAXES, TRUNCATES
 from trimmer.contact.state.frame import Frame
 from trimmer.contact.state.laid_out import layout_of
-from trimmer.contact.state.layout import Layout
-from trimmer.contact.state.rows import Rows
+from trimmer.contact.state.layout import MechanismLayout
+from trimmer.contact.state.rows import EndRows
 from trimmer.hybrid.system import NO_STATE
 from trimmer.mechanism import GROUND, ContactLaw, Mechanism, Play, Stop
 from trimmer.mechanism.coordinates import elastic_matrices
@@ -92,13 +92,13 @@ class Machine(NamedTuple):
         return np.concatenate([self.static, np.full(len(self.restitution), np.inf)])
 
 
-def machine_of(mechanism: Mechanism, frame: Frame | None = None) -> tuple[Machine, Layout]:
+def machine_of(mechanism: Mechanism, frame: Frame | None = None) -> tuple[Machine, MechanismLayout]:
     """Return the arrays of a mechanism, in the frame of the ground or a given one, and their rows' names."""
     parts: dict[str, Play | Stop] = {**mechanism.plays, **mechanism.stops}
     contacts = {name: part for name, part in parts.items() if part.stiffness > 0 or part.damping > 0}
     frictions = {name: part for name, part in mechanism.frictions.items() if part.static_force > 0}
     layout = layout_of(mechanism, contacts, tuple(frictions), frame)
-    rows = Rows(mechanism, layout)
+    rows = EndRows(mechanism, layout)
     base = _base(mechanism, layout, rows)
     machine = Machine(
         base=base,
@@ -116,7 +116,7 @@ def relaxing_springs(machine: Machine) -> list[tuple[int, int]]:
     return [(contact, int(z)) for contact, z in enumerate(machine.relaxing_state) if z != NO_STATE]
 
 
-def _base(mechanism: Mechanism, layout: Layout, rows: Rows) -> Reals:
+def _base(mechanism: Mechanism, layout: MechanismLayout, rows: EndRows) -> Reals:
     count = len(layout.coordinates)
     base = np.zeros((layout.size, layout.size))
     base[:count, count : 2 * count] = np.eye(count)
@@ -150,7 +150,7 @@ def _base(mechanism: Mechanism, layout: Layout, rows: Rows) -> Reals:
     return base
 
 
-def _contacts(contacts: Mapping[str, Play | Stop], layout: Layout, rows: Rows) -> dict[str, Any]:
+def _contacts(contacts: Mapping[str, Play | Stop], layout: MechanismLayout, rows: EndRows) -> dict[str, Any]:
     count = len(contacts)
     parts = list(contacts.values())
     between = [part.between for part in parts]
@@ -189,7 +189,7 @@ def _never_ends(part: Play | Stop) -> bool:
 
 
 def _frictions(
-    mechanism: Mechanism, frictions: Mapping[str, object], layout: Layout, rows: Rows
+    mechanism: Mechanism, frictions: Mapping[str, object], layout: MechanismLayout, rows: EndRows
 ) -> dict[str, Any]:
     parts = [mechanism.frictions[name] for name in frictions]
     between = [part.between for part in parts]
@@ -203,7 +203,7 @@ def _frictions(
     }
 
 
-def _walls(mechanism: Mechanism, layout: Layout, rows: Rows) -> dict[str, Any]:
+def _walls(mechanism: Mechanism, layout: MechanismLayout, rows: EndRows) -> dict[str, Any]:
     walls = list(mechanism.walls.values())
     between = [wall.between for wall in walls]
     distances = [rows.displacement(end) - rows.displacement(start) for start, end in between]

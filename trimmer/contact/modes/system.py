@@ -12,7 +12,7 @@ from trimmer.contact.modes.impulses import first_wall, impulse_of
 from trimmer.contact.modes.joint import after_event
 from trimmer.contact.modes.transitions import transition
 from trimmer.contact.modes.walls import strike
-from trimmer.contact.state.layout import Layout
+from trimmer.contact.state.layout import MechanismLayout
 from trimmer.hybrid.system import STRUCK, Clockwork, Decision, EventFunction, ModeEquations, Transition
 from trimmer.kept_property import cached_property
 
@@ -22,7 +22,7 @@ class MechanismSystem:
     """The exact motion of a mechanism; its parts are its contacts, then its frictions, curves and walls."""
 
     machine: Machine  # Its arrays
-    layout: Layout  # Names and places of its extended state
+    layout: MechanismLayout  # Names and places of its extended state
     clockwork: Clockwork | None = None  # What samples it; None for nothing
 
     @property

@@ -12,8 +12,8 @@ from trimmer.contact.modes.system import MechanismSystem
 from trimmer.contact.readouts.control_readouts import control_signal
 from trimmer.contact.readouts.curve_forces import force_signal as curve_signal
 from trimmer.contact.readouts.friction_forces import hold_forces, rows_in_mode
-from trimmer.contact.state.layout import Layout
-from trimmer.contact.state.rows import Rows
+from trimmer.contact.state.layout import MechanismLayout
+from trimmer.contact.state.rows import EndRows
 from trimmer.hybrid.tables import Modes
 from trimmer.mechanism import Mechanism, Output
 from trimmer.mechanism.parts import OutputKind
@@ -37,7 +37,7 @@ def outputs_of(mechanism: Mechanism, modes: Modes[MechanismSystem]) -> dict[str,
     }
 
 
-def speed_beyond(layout: Layout, output: Output) -> float:
+def speed_beyond(layout: MechanismLayout, output: Output) -> float:
     """Return how fast an output moves on beyond what its functional says, in its unit per s."""
     if output.kind is not OutputKind.DISPLACEMENT:
         return 0.0
@@ -53,14 +53,14 @@ def signal_of(mechanism: Mechanism, modes: Modes[MechanismSystem], output: Outpu
         return force_signal(mechanism, modes, output.part)
     if output.kind is OutputKind.DISPLACEMENT:
         return Steady(np.asarray(sum((weight * _displacement(layout, of) for of, weight in weights))))
-    ends = Rows(mechanism, layout)
+    ends = EndRows(mechanism, layout)
     velocity = np.asarray(sum((weight * ends.velocity(of) for of, weight in weights)))
     if output.kind is OutputKind.VELOCITY:
         return Steady(velocity)
     return rate(modes, Steady(velocity))
 
 
-def _displacement(layout: Layout, name: str) -> Reals:
+def _displacement(layout: MechanismLayout, name: str) -> Reals:
     row: Reals = layout.end_rows[layout.ends.index(name)]
     return row
 
@@ -70,7 +70,7 @@ def force_signal(mechanism: Mechanism, modes: Modes[MechanismSystem], part: str)
 
     Forces of frictions that hold the same bodies are shared as by ``MechanismMotion.friction_force``.
     """
-    layout, ends = modes.system.layout, Rows(mechanism, modes.system.layout)
+    layout, ends = modes.system.layout, EndRows(mechanism, modes.system.layout)
     if part in layout.contacts:
         return contact_force(modes, layout.contacts.index(part))
     if part in mechanism.links:
@@ -144,7 +144,7 @@ def forces_at(mechanism: Mechanism, course: Course, times: Reals) -> Mapping[str
     return {name: along(course, signal, rows, states) for name, signal in signals.items()}
 
 
-def _between(rows: Rows, ends: tuple[str, str], stiffness: float, damping: float) -> Reals:
+def _between(rows: EndRows, ends: tuple[str, str], stiffness: float, damping: float) -> Reals:
     """Return the force of a spring and a damper between two ends as a functional, N, (N,)."""
     start, end = ends
     stretch = rows.displacement(end) - rows.displacement(start)

@@ -11,10 +11,10 @@ from trimmer.arrays import Reals
 from trimmer.contact.controllers.held import held_by
 from trimmer.contact.controllers.laws import laws_of
 from trimmer.contact.state.frame import SAME, Frame, frame_of, leans
-from trimmer.contact.state.layout import Layout
+from trimmer.contact.state.layout import MechanismLayout
 from trimmer.contact.state.profiles import Profile
 from trimmer.contact.state.references import profile_of, references_in
-from trimmer.contact.state.rows import Rows
+from trimmer.contact.state.rows import EndRows
 from trimmer.mechanism.coordinates import radius_of, shaken_ends, weights_of_ends
 from trimmer.mechanism.drives import drive_frequency, drives_of, sines_in, waves_in, waves_of_sine
 from trimmer.mechanism.kinds import Kind, kind_of_part
@@ -27,7 +27,7 @@ def layout_of(
     contacts: Mapping[str, Play | Stop],
     frictions: tuple[str, ...],
     frame: Frame | None = None,
-) -> Layout:
+) -> MechanismLayout:
     """Return the layout of a mechanism with some contacts and frictions that exert forces.
 
     Args:
@@ -54,7 +54,7 @@ def layout_of(
         name for name, part in contacts.items() if part.law is ContactLaw.RELAXING and part.damping > 0
     )
     laws = laws_of(mechanism)
-    layout = Layout(
+    layout = MechanismLayout(
         mechanism.coordinates,
         tuple(contacts),
         frictions,
@@ -78,7 +78,7 @@ def layout_of(
     )
     if held := held_by(mechanism.controllers, layout.state_count):
         layout = replace(layout, held=held)
-    end_rows = Rows(mechanism, layout).displacements()
+    end_rows = EndRows(mechanism, layout).displacements()
     return replace(layout, lengths=_lengths(mechanism, contacts, layout), end_rows=end_rows)
 
 
@@ -94,7 +94,7 @@ def _profiles(mechanism: Mechanism, frame: Frame) -> Iterator[Profile]:
     yield from (found for each in references_in(mechanism) if (found := profile_of(each, frame)) is not None)
 
 
-def _lengths(mechanism: Mechanism, contacts: Mapping[str, Play | Stop], layout: Layout) -> Reals:
+def _lengths(mechanism: Mechanism, contacts: Mapping[str, Play | Stop], layout: MechanismLayout) -> Reals:
     radius, kinds = radius_of(mechanism), mechanism.kinds
     of = {kind: radius if kind is Kind.ROTATION else 1.0 for kind in Kind}
     coordinates = [of[kinds[name]] for name in mechanism.coordinates]

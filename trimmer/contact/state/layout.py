@@ -26,7 +26,7 @@ STILL = 1e-1  # Share of a displacement, or of its rate at the frequency of the 
 
 
 @dataclass(frozen=True, eq=False)
-class Layout:
+class MechanismLayout:
     """Names and places in the extended state."""
 
     coordinates: tuple[str, ...]  # Names of the coordinates
@@ -193,7 +193,7 @@ class Layout:
         sizes[sizes == 0.0] = 1.0
         return sizes / self.lengths
 
-    def is_alike(self, other: Layout) -> bool:
+    def is_alike(self, other: MechanismLayout) -> bool:
         """Say whether another mechanism has the same states, in the same frame, with the same drive."""
         here, there = (
             {**vars(each), "frame": None, "end_rows": None, "lengths": None} for each in (self, other)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from trimmer.arrays import Reals
-from trimmer.contact.state.layout import Layout
+from trimmer.contact.state.layout import MechanismLayout
 from trimmer.contact.state.profiles import Profile
 from trimmer.contact.state.references import profile_of
 from trimmer.kept_property import cached_property
@@ -21,7 +21,7 @@ from trimmer.mechanism.waves import mean_of
 
 
 @dataclass(frozen=True, eq=False)
-class Rows:
+class EndRows:
     """Displacements and velocities of ends as functionals of the extended state, and what forces on them do.
 
     Nothing else turns the name of an end into rows; what kinds of ends there are,
@@ -29,7 +29,7 @@ class Rows:
     """
 
     mechanism: Mechanism
-    layout: Layout
+    layout: MechanismLayout
     _velocities: dict[str, Reals] = field(default_factory=dict, init=False)
 
     @cached_property

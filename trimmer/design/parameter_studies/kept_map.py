@@ -13,7 +13,7 @@ from trimmer.design.varied_places import VariedNumber
 from trimmer.maps.cell_motion import CellMotion
 from trimmer.maps.cells import Cell, CellResult, CellWork
 from trimmer.maps.inputs import MapInputs, Settings, checked_inputs
-from trimmer.maps.measures import Measures
+from trimmer.maps.measures import CellMeasures
 from trimmer.maps.result import MotionMap
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.response.results.response import MotionKind
@@ -98,7 +98,7 @@ class TriedCells:
         if trial.kind is None:
             return CellResult(cell.number, (CellMotion(MotionKind.UNDECIDED, failure="it has no motion"),))
         found = {each.column: size if math.isfinite(size) else math.nan for each, size in trial.measures}
-        measures = Measures({}, {}, {}, 0.0, 0.0, 0.0, chosen=found)
+        measures = CellMeasures({}, {}, {}, 0.0, 0.0, 0.0, chosen=found)
         return CellResult(cell.number, (CellMotion(trial.kind, measures=measures),))
 
 

@@ -48,7 +48,7 @@ def cut_short(settling: Settling, agrees: bool | None) -> SettledMotion:
     return SettledMotion(kind, None, None, settling.periods, agrees, told)
 
 
-def grown(seen: Seen, waited: int) -> SettledMotion:
+def grown(seen: SeenMotion, waited: int) -> SettledMotion:
     """Return what is known of a motion that grows in proportion to its age."""
     periods = waited + seen.window.periods
     told = (
@@ -62,20 +62,20 @@ def _diverging(periods: int, told: str) -> SettledMotion:
     return SettledMotion(MotionKind.DIVERGING, None, None, periods, None, told)
 
 
-def unsettled(seen: Seen, waited: int, agrees: bool | None) -> SettledMotion:
+def unsettled(seen: SeenMotion, waited: int, agrees: bool | None) -> SettledMotion:
     """Return what is known of a motion that has not settled after a wait and was watched since."""
     periods = waited + seen.window.periods
     told = _told(seen, waited, agrees)
     return SettledMotion(seen.kind, None, seen.window, periods, agrees, told)
 
 
-def look_closely(flow: Flow, instant: Instant) -> Seen | None:
+def look_closely(flow: Flow, instant: Instant) -> SeenMotion | None:
     """Watch a motion until it is known what it is, or for some windows; None if it ends at once."""
     periods = WINDOW * pace_of(flow.subject)
     window = watch(flow, instant, periods)
     if window is None:
         return None
-    seen = Seen(flow, window, _neighbour_leaves(flow, window))
+    seen = SeenMotion(flow, window, _neighbour_leaves(flow, window))
     for _ in range(MOST_WINDOWS - 1):
         decided = seen.kind is not MotionKind.UNDECIDED or seen.contracts
         more = None if decided else watch(seen.window.flow, seen.window.end, periods)
@@ -86,7 +86,7 @@ def look_closely(flow: Flow, instant: Instant) -> Seen | None:
 
 
 @dataclass(frozen=True, eq=False)
-class Seen:
+class SeenMotion:
     """What was seen of a motion that has not settled."""
 
     flow: Flow  # The motion of the mechanism
@@ -153,7 +153,7 @@ def _neighbour_leaves(flow: Flow, window: Watched) -> bool:
     return bool(apart.max() > LEAVES * NEIGHBOUR)
 
 
-def _told(seen: Seen, waited: int, agrees: bool | None) -> str:
+def _told(seen: SeenMotion, waited: int, agrees: bool | None) -> str:
     largest = seen.window.exponents[0]
     exponent = f"{largest.value:.3g} +- {largest.uncertainty:.1g} per {period_word(seen.flow.subject)}"
     if seen.kind is MotionKind.TORUS and seen.contracts:

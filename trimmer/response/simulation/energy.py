@@ -19,7 +19,7 @@ from trimmer.contact.readouts.curve_forces import force_signal, stored_energy
 from trimmer.contact.readouts.friction_forces import hold_forces, undetermined
 from trimmer.contact.readouts.impacts import losses_at_walls, work_at_walls
 from trimmer.contact.readouts.outputs import contact_force
-from trimmer.contact.state.rows import Rows
+from trimmer.contact.state.rows import EndRows
 from trimmer.mechanism import Mechanism, Play, Stop
 from trimmer.mechanism.coordinates import inertia_of, rows_of_structures, weights_of_ends
 from trimmer.motion.course import Course
@@ -144,7 +144,7 @@ class _Balance:
     @cached_property
     def rows(self) -> dict[str, tuple[Reals, Reals]]:
         """Displacement and velocity of each end as functionals."""
-        rows = Rows(self.mechanism, self.course.modes.system.layout)
+        rows = EndRows(self.mechanism, self.course.modes.system.layout)
         return {end: (rows.displacement(end), rows.velocity(end)) for end in weights_of_ends(self.mechanism)}
 
     def integral(self, values: Reals) -> float:
@@ -297,5 +297,5 @@ class _Balance:
 
     def of_force(self, name: str) -> float:
         force, layout = self.mechanism.forces[name], self.course.modes.system.layout
-        row = Rows(self.mechanism, layout).given(force)
+        row = EndRows(self.mechanism, layout).given(force)
         return self.integral(self.at_nodes(row) * self.at_nodes(self.rows[force.on][1]))

@@ -15,7 +15,7 @@ from trimmer.contact.readouts.curve_forces import curve_forces
 from trimmer.contact.readouts.friction_forces import dry_forces, undetermined
 from trimmer.contact.readouts.outputs import contact_force
 from trimmer.contact.readouts.readouts import event_rates
-from trimmer.contact.state.rows import Rows
+from trimmer.contact.state.rows import EndRows
 from trimmer.errors import MechanismError
 from trimmer.hybrid import system
 from trimmer.hybrid.stretch import Ending
@@ -290,7 +290,7 @@ class MechanismMotion(Motion):
     def _rows(self, name: str) -> tuple[Reals, Reals]:
         layout = self.course.modes.system.layout
         _require("body or pin", name, layout.ends)
-        rows = Rows(self.mechanism, layout)
+        rows = EndRows(self.mechanism, layout)
         return rows.displacement(name), rows.velocity(name)
 
     def _read_out(self, readout: Readout, times: ArrayLike) -> Reals:

@@ -190,7 +190,7 @@ def watch(flow: Flow, instant: Instant, periods: int, unit: float = 0.0) -> Watc
         unit: What stands for one without a drive, s.
     """
     followed = flow.watched(instant, periods) if flow.period else flow
-    return _Watch(followed, instant, pace_of(flow.subject), unit).over(periods)
+    return _Window(followed, instant, pace_of(flow.subject), unit).over(periods)
 
 
 def joined(first: Watched, second: Watched) -> Watched:
@@ -213,7 +213,7 @@ def _row(flow: Flow, instant: Instant, together: int, unit: float) -> Course:
     return flow.course(instant, together) if flow.period else flow.timed(instant, together * unit)
 
 
-class _Watch:
+class _Window:
     def __init__(self, flow: Flow, instant: Instant, pace: int, unit: float) -> None:
         self.flow, self.instant, self.unit = flow, instant, flow.period or unit
         self.together, self.steps = TOGETHER * pace, max(SAMPLES // pace, 2)
