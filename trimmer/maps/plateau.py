@@ -38,8 +38,10 @@ class Plateau:
     ending: Ending  # Why the motion ends
 
 
-def dwell(flow: Flow, begin: Instant, periods: int) -> tuple[Plateau, Instant]:
+def dwell(flow: Flow, begin: Instant, periods: int, before: int = 0) -> tuple[Plateau, Instant]:
     """Go on for some drive periods, at least 2; returns what was measured, and where the motion ends.
+
+    What grew for some periods before, at other values, must go on to grow in proportion to all of its age.
 
     Where it repeats to ``STEADY`` over the second half, the last period stands for all. So it does where it
     repeats but for an advance, to which all that is left of the start would add up.
@@ -50,7 +52,8 @@ def dwell(flow: Flow, begin: Instant, periods: int) -> tuple[Plateau, Instant]:
     if second.ending is not Ending.REACHED_END:
         return _ended(second.ending), second.end
     states = flow.reduced(np.concatenate([first.states, second.states[1:]]))
-    kind, count = _kind(flow, states, first.end, second.end, half)
+    found = _repeating(flow, states, second.end, half)
+    kind, count = found or (beside(flow, states, first.end, second.end, half, before).kind, None)
     repeats = count or 1
     apart = abs(states[-1 - half + repeats :] - states[-1 - half : -repeats]) / strobed_sizes(states)
     advances = count is not None and flow.shifts > 0
@@ -72,10 +75,8 @@ def _ended(ending: Ending) -> Plateau:
     return Plateau(kind, None, 0, {}, {}, 0.0, ending)
 
 
-def _kind(
-    flow: Flow, states: Reals, middle: Instant, end: Instant, half: int
-) -> tuple[MotionKind, int | None]:
-    """Return the kind of a motion, and after how many drive periods it repeats.
+def _repeating(flow: Flow, states: Reals, end: Instant, half: int) -> tuple[MotionKind, int | None] | None:
+    """Return the kind of a motion that repeats, and after how many drive periods; None if it does not.
 
     It is periodic if an exact orbit is near that is stable, or on which it is to rounding: what is left of
     the start may still be dying out.
@@ -88,7 +89,7 @@ def _kind(
         if apart.max() < NEAR and (orbit.stable or neutral):
             kind = on_orbit(orbit, len(states) - 1).kind
             return kind, None if kind is MotionKind.REST else orbit.period_count
-    return beside(flow, states, middle, end, half).kind, None
+    return None
 
 
 def _spectra(flow: Flow, course: Course, measured: int, segment: int) -> Reals:

@@ -71,9 +71,9 @@ def sweep(  # noqa: PLR0913 (each is a choice of its own, all but four with a de
     def flow_at(value: float) -> Flow:
         return flow_of(mechanism.with_value(place, value))
 
-    def step(last: float, value: float, instant: Instant) -> tuple[Plateau, Instant]:
+    def step(last: float, value: float, instant: Instant, before: int = 0) -> tuple[Plateau, Instant]:
         new = flow_at(value)
-        return dwell(new, carried(flow_at(last), instant, new), periods)
+        return dwell(new, carried(flow_at(last), instant, new), periods, before)
 
     # Only after whole returns of all drives does a value begin with the phases at which the one before ended.
     first = flow_at(values[0])
@@ -84,7 +84,7 @@ def sweep(  # noqa: PLR0913 (each is a choice of its own, all but four with a de
     ends: list[Instant] = []
     for number in progress_bar(range(len(values)), "steps", quiet=quiet):
         if number:
-            plateau, end = step(values[number - 1], values[number], ends[-1])
+            plateau, end = step(values[number - 1], values[number], ends[-1], number * periods)
         else:
             plateau, end = dwell(first, instant_of(first, state), periods)
         plateaus.append(plateau)

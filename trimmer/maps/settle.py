@@ -209,24 +209,25 @@ def recurrence(states: Reals) -> tuple[int, float]:
     return count + 1, float(differences[count])
 
 
-def beside(flow: Flow, every: Reals, before: Instant, end: Instant, compared: int) -> Settled:
+def beside(flow: Flow, every: Reals, begin: Instant, end: Instant, compared: int, before: int = 0) -> Settled:
     """Follow a neighbour over the last drive periods of a motion, and say what can be said.
 
     Args:
         flow: What moves.
         every: Its states at the start of each drive period, (periods + 1, n); leaders are at 0.
-        before: Where the last periods begin.
+        begin: Where the last periods begin.
         end: Where they end.
         compared: Their number.
+        before: Drive periods that it went on before, with other numbers.
     """
     periods, states = len(every) - 1, every[-1 - compared :]
     sizes = strobed_sizes(states)
-    distances = _distances(flow, flow.at(before.state + APART * sizes, like=before), states, sizes)
+    distances = _distances(flow, flow.at(begin.state + APART * sizes, like=begin), states, sizes)
     if distances is None:
         return Settled(MotionKind.UNDECIDED, periods, end)
     kind, exponent = _compared(states, distances)
-    if kind is not MotionKind.TORUS and grows(flow, end, states, periods):
-        return Settled(MotionKind.DIVERGING, OLDER * periods, end)
+    if grows(flow, end, states, before + periods):
+        return Settled(MotionKind.DIVERGING, OLDER * (before + periods), end)
     follows = exponent is not None and exponent < 0 and not flow.modes.system.layout.recurrence
     if follows and kind is MotionKind.UNDECIDED:
         kind = MotionKind.TORUS

@@ -18,6 +18,7 @@ from trimmer import (
     motion_map,
     respond,
 )
+from trimmer.maps import sweep
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play
 from trimmer.response.results.response_json import response_json
 from trimmer.response.statistics.growth import grew
@@ -76,13 +77,20 @@ def test_a_constant_force_that_nothing_holds_or_damps_diverges(frequency: float 
 
 
 def test_a_constant_force_beyond_friction_diverges_and_below_it_rests() -> None:
-    def pushed(force: float) -> Mechanism:
+    """In maps and sweeps too, though a neighbour stays as near as on a torus."""
+
+    def pushed(force: float, **wave: float) -> Mechanism:
         forces, frictions = (
-            {"push": Force("body", constant=force)},
+            {"push": Force("body", constant=force, **wave)},
             {"floor": Friction(("ground", "body"), 1.0)},
         )
         return body(frequency=2.0, forces=forces, frictions=frictions, start={"body": (0.3, 0.7)})
 
+    shaken, place = pushed(1.2, amplitude=0.5), "forces.push.constant"
+    mapped = motion_map(shaken, {place: [0.2, 1.2]}, most_periods=300)
+    assert mapped.kind.tolist() == [[MotionKind.REST, MotionKind.DIVERGING]]
+    swept = sweep(shaken, place, 1.2, 1.4, steps=1, periods=220)
+    assert {each.motion.kind for each in swept.points} == {MotionKind.DIVERGING}
     response = respond(pushed(1.2))
     assert response.kind is MotionKind.DIVERGING
     assert "in proportion to the time" in response.message
