@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from trimmer.response.simulation.motion import MechanismMotion
     from trimmer.signals.signal import Signal
 
+LEAST, PERIODS = 0.5, 10  # Length of a motion that is not given, s and in periods of the drive: the longer
 MOST_SAMPLES = 50_000_000  # Samples of a signal that still fit into memory with room to spare
 
 
@@ -41,7 +42,10 @@ def _configure(parser: ArgumentParser) -> None:
     add_start_options(parser)
     add_plot_option(parser, "the motion with contact and stick, and of a mechanism its phase plane,")
     parser.add_argument(
-        "--duration", type=float, default=0.5, metavar="S", help="length of the motion, s (default: 0.5)"
+        "--duration",
+        type=float,
+        metavar="S",
+        help=f"length of the motion, s (default: {LEAST:g}, or {PERIODS} periods of a slow drive)",
     )
     parser.add_argument(
         "--sample-rate",
@@ -60,7 +64,12 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
-    _check_duration(arguments)
+    require_positive(arguments, "sample_rate", "Hz")
+    if arguments.duration is not None:
+        require_positive(arguments, "duration", "s")
+        check_periods(arguments.duration, None)
+    if arguments.csv is None and arguments.wav is None:
+        refuse_unused(arguments, ["sample_rate"], "--csv or --wav")
     check_targets(arguments, {"csv": {"": CSV}, "wav": {".wav": WAV}, "plot": PICTURES}, SOURCES)
     motion, text = _moved(arguments)
     targets = [path for path in (arguments.csv, arguments.wav, arguments.plot) if path is not None]
@@ -81,6 +90,9 @@ def _run(arguments: Namespace) -> int:
 def _moved(arguments: Namespace) -> tuple[LoopMotion | MechanismMotion, str]:
     """Return the motion, and what is told of it."""
     system = chosen_system(arguments, ("displacement",))
+    if arguments.duration is None:
+        arguments.duration = max(LEAST, PERIODS / system.frequency if system.frequency else 0.0)
+    _check_samples(arguments)
     from trimmer.command_line.loops import motion_text as of_loop
     from trimmer.command_line.mechanisms import motion_text as of_mechanism
     from trimmer.loops.simulation import SimulationInterrupted, simulate_loop
@@ -113,15 +125,11 @@ def _check_output(arguments: Namespace, mechanism: Mechanism) -> None:
         raise OptionError(f"--output {name}: there is no such output; {near_or_all(name, known)}")
 
 
-def _check_duration(arguments: Namespace) -> None:
-    """Check the length of the motion, and that of its signals if they are written."""
+def _check_samples(arguments: Namespace) -> None:
+    """Check the length of signals that are written."""
     duration, rate = arguments.duration, arguments.sample_rate
-    require_positive(arguments, "duration", "s")
-    require_positive(arguments, "sample_rate", "Hz")
-    check_periods(duration, None)
-    if arguments.csv is None and arguments.wav is None:
-        refuse_unused(arguments, ["sample_rate"], "--csv or --wav")
-    elif not 2 <= duration * rate <= MOST_SAMPLES:
+    written = arguments.csv is not None or arguments.wav is not None
+    if written and not 2 <= duration * rate <= MOST_SAMPLES:
         raise OptionError(
             f"--duration {duration:g} s at --sample-rate {rate:g} Hz are {duration * rate:.3g} samples; "
             f"give 2 to {MOST_SAMPLES:g}"
