@@ -96,6 +96,8 @@ class MechanismSystem:
         """
         if function.action == STRUCK:
             wall = function.owner - first_wall(self.machine)
-            return strike(self.machine, mode.statuses, state, wall, self.layout.period or 1.0)
+            # What was held until then has drifted by the rounding of a long way.
+            held = mode.hold @ state
+            return strike(self.machine, mode.statuses, held, wall, self.layout.period or 1.0)
         holds = np.flatnonzero(np.isin(self.machine.holds, at_rest))
         return Decision(*after_event(self.machine, mode.statuses, state, function, jumped, holds), state)

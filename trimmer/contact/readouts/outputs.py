@@ -18,7 +18,9 @@ from trimmer.hybrid.tables import Modes
 from trimmer.mechanism import Mechanism, Output
 from trimmer.mechanism.parts import OutputKind
 from trimmer.motion.course import Course
-from trimmer.motion.signals import OwnValues, Readout, Signal, Steady, along, rate
+from trimmer.motion.signals import OwnValues, Readout, Signal, Steady, along, rate, row_of_each
+
+ROUNDING = 64 * float(np.finfo(float).eps)  # Rounding of a force as a share of the moduli of its terms
 
 
 def outputs_of(mechanism: Mechanism, modes: Modes[MechanismSystem]) -> dict[str, Readout]:
@@ -135,13 +137,21 @@ class HoldForce(OwnValues):
 
 
 def forces_at(mechanism: Mechanism, course: Course, times: Reals) -> Mapping[str, Reals]:
-    """Return the force of each link, play, stop, wall, friction and controller, N, at times, s, in order."""
+    """Return the force of each link, play, stop, wall, friction and controller, N, at times, s, in order.
+
+    What is only rounding of the terms that make up a force is zero.
+    """
     states = course.states(times)
     rows = np.searchsorted(course.log.start, times, side="right") - 1
     parts = (*mechanism.links, *mechanism.plays, *mechanism.stops, *mechanism.walls, *mechanism.frictions)
     signals = {name: force_signal(mechanism, course.modes, name) for name in parts}
     signals |= {name: control_signal(course.modes, name) for name in mechanism.controllers}
-    return {name: along(course, signal, rows, states) for name, signal in signals.items()}
+    forces = {name: along(course, signal, rows, states) for name, signal in signals.items()}
+    for name, signal in signals.items():
+        if not isinstance(signal, OwnValues):
+            terms = (abs(states) * abs(row_of_each(course, signal)[rows])).sum(axis=1)
+            forces[name][abs(forces[name]) <= ROUNDING * terms] = 0.0
+    return forces
 
 
 def _between(rows: EndRows, ends: tuple[str, str], stiffness: float, damping: float) -> Reals:

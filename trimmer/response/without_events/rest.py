@@ -81,7 +81,7 @@ class Rest:
     def _over_a_period(self) -> Mapping[str, Reals]:
         count = (
             SAMPLES * math.ceil(max(self.flow.modes.system.layout.orders, default=1))
-            if self.flow.period
+            if self.flow.period and not stands(self.flow)
             else 1
         )
         return self.flow.forces(self.course, self.course.duration * np.arange(count) / count)
