@@ -75,11 +75,6 @@ def _speed(mechanism: Mechanism, controller: Controller, rows: EndRows) -> Reals
 def measured_row(mechanism: Mechanism, output: Output, rows: EndRows) -> Reals:
     """Return a displacement, a velocity, or the force of a link without a curve as a functional, (N,)."""
     if output.kind is OutputKind.FORCE:
-        link = mechanism.links[str(output.part)]
-        start, end = link.between
-        stretch = rows.displacement(end) - rows.displacement(start)
-        return np.asarray(
-            link.stiffness * stretch + link.damping * (rows.velocity(end) - rows.velocity(start))
-        )
+        return rows.tension(mechanism.links[str(output.part)])
     of_end = rows.displacement if output.kind is OutputKind.DISPLACEMENT else rows.velocity
     return np.asarray(sum(weight * of_end(of) for of, weight in output.weights.items()))

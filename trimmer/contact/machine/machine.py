@@ -1,6 +1,7 @@
 """The arrays of a mechanism: what its exact motion is computed from."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from itertools import starmap
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -128,14 +129,10 @@ def _base(mechanism: Mechanism, layout: MechanismLayout, rows: EndRows) -> Reals
         base[count : 2 * count, :count] -= rows.accelerations(stiffness)
         base[count : 2 * count, count : 2 * count] -= rows.accelerations(damping)
     for link in mechanism.links.values():
-        start, end = link.between
-        force = link.stiffness * (rows.displacement(end) - rows.displacement(start))
-        force += link.damping * (rows.velocity(end) - rows.velocity(start))
-        base[count : 2 * count] -= np.outer(rows.push(start, end), force)
+        base[count : 2 * count] -= np.outer(rows.push(*link.between), rows.tension(link))
     for friction in mechanism.frictions.values():
-        start, end = friction.between
-        drag = friction.viscous * (rows.velocity(end) - rows.velocity(start))
-        base[count : 2 * count] -= np.outer(rows.push(start, end), drag)
+        drag = friction.viscous * rows.speed(friction.between)
+        base[count : 2 * count] -= np.outer(rows.push(*friction.between), drag)
     for force_on in mechanism.forces.values():
         push = rows.push(GROUND, force_on.on)
         base[count : 2 * count] += np.outer(push, rows.given(force_on))
@@ -156,13 +153,9 @@ def _contacts(contacts: Mapping[str, Play | Stop], layout: MechanismLayout, rows
     between = [part.between for part in parts]
     first = 2 * len(layout.coordinates)
     return {
-        "contact_distance": _stacked(
-            [rows.displacement(end) - rows.displacement(start) for start, end in between], layout.size
-        ),
-        "contact_rate": _stacked(
-            [rows.velocity(end) - rows.velocity(start) for start, end in between], layout.size
-        ),
-        "contact_push": _stacked([-rows.push(start, end) for start, end in between], len(layout.coordinates)),
+        "contact_distance": _stacked(map(rows.distance, between), layout.size),
+        "contact_rate": _stacked(map(rows.speed, between), layout.size),
+        "contact_push": _stacked([-rows.push(*each) for each in between], len(layout.coordinates)),
         "stiffness": np.array([part.stiffness for part in parts], dtype=np.float64),
         "damping": np.array([part.damping for part in parts], dtype=np.float64),
         "offsets": np.array([_offsets(part) for part in parts], dtype=np.float64).reshape(count, 2),
@@ -194,10 +187,8 @@ def _frictions(
     parts = [mechanism.frictions[name] for name in frictions]
     between = [part.between for part in parts]
     return {
-        "friction_rate": _stacked(
-            [rows.velocity(end) - rows.velocity(start) for start, end in between], layout.size
-        ),
-        "friction_push": _stacked([rows.push(start, end) for start, end in between], len(layout.coordinates)),
+        "friction_rate": _stacked(map(rows.speed, between), layout.size),
+        "friction_push": _stacked(starmap(rows.push, between), len(layout.coordinates)),
         "kinetic": np.array([part.kinetic_force for part in parts], dtype=np.float64),
         "static": np.array([part.static_force for part in parts], dtype=np.float64),
     }
@@ -206,18 +197,16 @@ def _frictions(
 def _walls(mechanism: Mechanism, layout: MechanismLayout, rows: EndRows) -> dict[str, Any]:
     walls = list(mechanism.walls.values())
     between = [wall.between for wall in walls]
-    distances = [rows.displacement(end) - rows.displacement(start) for start, end in between]
+    distances = list(map(rows.distance, between))
     for distance, wall in zip(distances, walls, strict=True):
         distance[-1] -= wall.gap
     return {
         "wall_distance": _stacked(distances, layout.size),
-        "wall_rate": _stacked(
-            [rows.velocity(end) - rows.velocity(start) for start, end in between], layout.size
-        ),
-        "wall_push": _stacked([rows.push(start, end) for start, end in between], len(layout.coordinates)),
+        "wall_rate": _stacked(map(rows.speed, between), layout.size),
+        "wall_push": _stacked(starmap(rows.push, between), len(layout.coordinates)),
         "restitution": np.array([wall.restitution for wall in walls], dtype=np.float64),
     }
 
 
-def _stacked(rows: list[Reals], size: int) -> Reals:
-    return np.array(rows, dtype=np.float64).reshape(len(rows), size)
+def _stacked(rows: Iterable[Reals], size: int) -> Reals:
+    return np.array([*rows], dtype=np.float64).reshape(-1, size)

@@ -76,12 +76,10 @@ def force_signal(mechanism: Mechanism, modes: Modes[MechanismSystem], part: str)
     if part in layout.contacts:
         return contact_force(modes, layout.contacts.index(part))
     if part in mechanism.links:
-        link = mechanism.links[part]
-        linear = Steady(_between(ends, link.between, link.stiffness, link.damping))
-        return _with_curve(modes, linear, "links", part)
+        return _with_curve(modes, Steady(ends.tension(mechanism.links[part])), "links", part)
     if part in mechanism.frictions:
         friction = mechanism.frictions[part]
-        viscous = Steady(_between(ends, friction.between, 0.0, friction.viscous))
+        viscous = Steady(friction.viscous * ends.speed(friction.between))
         smooth = _with_curve(modes, viscous, "frictions", part)
         if part in layout.frictions:
             return HoldForce(modes, layout.frictions.index(part), smooth)
@@ -152,11 +150,3 @@ def forces_at(mechanism: Mechanism, course: Course, times: Reals) -> Mapping[str
             terms = (abs(states) * abs(row_of_each(course, signal)[rows])).sum(axis=1)
             forces[name][abs(forces[name]) <= ROUNDING * terms] = 0.0
     return forces
-
-
-def _between(rows: EndRows, ends: tuple[str, str], stiffness: float, damping: float) -> Reals:
-    """Return the force of a spring and a damper between two ends as a functional, N, (N,)."""
-    start, end = ends
-    stretch = rows.displacement(end) - rows.displacement(start)
-    speed = rows.velocity(end) - rows.velocity(start)
-    return np.asarray(stiffness * stretch + damping * speed)

@@ -16,7 +16,7 @@ from trimmer.mechanism.controls.references import RampReference, SineReference, 
 from trimmer.mechanism.coordinates import Inertia, inertia_of, weights_of_ends
 from trimmer.mechanism.drives import waves_in, waves_of_sine
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.mechanism.parts import Force
+from trimmer.mechanism.parts import Force, Link
 from trimmer.mechanism.waves import mean_of
 
 
@@ -86,6 +86,21 @@ class EndRows:
                 rate = order * self.layout.omega * amplitude
                 self._add_wave(row, order, rate, phase + np.pi / 2)
         return row
+
+    def distance(self, between: tuple[str, str]) -> Reals:
+        """Return how far the end of a part is beyond its start, (N,)."""
+        start, end = between
+        return self.displacement(end) - self.displacement(start)
+
+    def speed(self, between: tuple[str, str]) -> Reals:
+        """Return the rate of that, (N,)."""
+        start, end = between
+        return self.velocity(end) - self.velocity(start)
+
+    def tension(self, part: Link) -> Reals:
+        """Return the force of a link without its curve, N, positive where it pulls the ends together, (N,)."""
+        stretch, rate = self.distance(part.between), self.speed(part.between)
+        return np.asarray(part.stiffness * stretch + part.damping * rate)
 
     def _add_wave(self, row: Reals, order: float, amplitude: float, phase: float) -> None:
         """Add amplitude sin(order w t + phase)."""

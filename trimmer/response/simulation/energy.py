@@ -21,7 +21,7 @@ from trimmer.contact.readouts.impacts import losses_at_walls, work_at_walls
 from trimmer.contact.readouts.outputs import contact_force
 from trimmer.contact.state.rows import EndRows
 from trimmer.mechanism import Mechanism, Play, Stop
-from trimmer.mechanism.coordinates import inertia_of, rows_of_structures, weights_of_ends
+from trimmer.mechanism.coordinates import inertia_of, rows_of_structures
 from trimmer.motion.course import Course
 from trimmer.motion.signals import Signal, along, while_status
 from trimmer.showing.shown import Tabular
@@ -118,7 +118,7 @@ class _Balance:
             (self.stored(first, 0), self.stored(last, -1)),
             {name: self.of_pin(name) for name in self.mechanism.pins},
             {name: self.of_force(name) for name in self.mechanism.forces},
-            {name: self.integral(link.damping * self.rate(*link.between) ** 2)
+            {name: self.integral(link.damping * self.rate(link.between) ** 2)
              for name, link in self.mechanism.links.items()},
             {name: self.of_contact(number)
              for number, name in enumerate(self.course.modes.system.layout.contacts)},
@@ -142,10 +142,9 @@ class _Balance:
         return self.course.log.state[0], self.course.states(np.array([self.course.duration]))[0]
 
     @cached_property
-    def rows(self) -> dict[str, tuple[Reals, Reals]]:
-        """Displacement and velocity of each end as functionals."""
-        rows = EndRows(self.mechanism, self.course.modes.system.layout)
-        return {end: (rows.displacement(end), rows.velocity(end)) for end in weights_of_ends(self.mechanism)}
+    def rows(self) -> EndRows:
+        """The ends as functionals."""
+        return EndRows(self.mechanism, self.course.modes.system.layout)
 
     def integral(self, values: Reals) -> float:
         return float(self.course.nodes.weights @ values)
@@ -156,8 +155,8 @@ class _Balance:
     def of(self, signal: Signal) -> Reals:
         return along(self.course, signal, self.course.nodes.rows, self.course.nodes.states)
 
-    def rate(self, start: str, end: str) -> Reals:
-        return self.at_nodes(self.rows[end][1] - self.rows[start][1])
+    def rate(self, between: tuple[str, str]) -> Reals:
+        return self.at_nodes(self.rows.speed(between))
 
     def kinetic(self, state: Reals) -> float:
         mass = inertia_of(self.mechanism).matrix
@@ -168,8 +167,7 @@ class _Balance:
         mode = int(self.course.log.mode[row])
         energy: Any = 0.0
         for link in self.mechanism.links.values():
-            start, end = link.between
-            energy += 0.5 * link.stiffness * ((self.rows[end][0] - self.rows[start][0]) @ state) ** 2
+            energy += 0.5 * link.stiffness * (self.rows.distance(link.between) @ state) ** 2
         machine = self.course.modes.system.machine
         for curve, (section, _) in enumerate(self.course.modes.system.layout.curves):
             if section == "links":
@@ -235,7 +233,7 @@ class _Balance:
 
     def of_friction(self, name: str) -> float:
         friction = self.mechanism.frictions[name]
-        speeds = self.rate(*friction.between)
+        speeds = self.rate(friction.between)
         lost = friction.viscous * self.integral(speeds**2)
         lost += self.integral(self.of(force_signal(self.course.modes, "frictions", name)) * speeds)
         if name in self.course.modes.system.layout.frictions:
@@ -247,23 +245,17 @@ class _Balance:
         return lost
 
     @cached_property
-    def dry(self) -> Mapping[str, Reals]:
-        """The dry force of each friction as a tension at the nodes, N."""
-        frictions = self.course.modes.system.layout.frictions
-        return dict(zip(frictions, self.held.T, strict=False))
-
-    @cached_property
     def held(self) -> Reals:
         """Tensions of frictions, then of walls at rest, at the nodes, N, (count, frictions + walls)."""
         return hold_forces(self.course, self.course.nodes.rows, self.course.nodes.states)
 
     def of_pin(self, name: str) -> float:
         """Return the work of what moves a pin, against the tensions of all that it is an end of."""
-        own = self.at_nodes(self.rows[name][1] - self.rows[self.mechanism.pins[name].on][1])
+        rate = self.rows.speed((self.mechanism.pins[name].on, name))
+        own = self.at_nodes(rate)
         pull = np.zeros(len(own))
         for between, tension in self.tensions:
             pull += tension * ((between[1] == name) - (between[0] == name))
-        rate = self.rows[name][1] - self.rows[self.mechanism.pins[name].on][1]
         return self.integral(pull * own) + work_at_walls(self.course, self.mechanism, name, rate)
 
     @cached_property
@@ -273,9 +265,8 @@ class _Balance:
         found = []
         modes = self.course.modes
         for name, link in mechanism.links.items():
-            start, end = link.between
-            stretch = self.at_nodes(self.rows[end][0] - self.rows[start][0])
-            tension = link.stiffness * stretch + link.damping * self.rate(start, end)
+            stretch = self.at_nodes(self.rows.distance(link.between))
+            tension = link.stiffness * stretch + link.damping * self.rate(link.between)
             found.append((link.between, tension + self.of(force_signal(modes, "links", name))))
         contacts: dict[str, Play | Stop] = {**mechanism.plays, **mechanism.stops}
         for number, name in enumerate(layout.contacts):
@@ -284,18 +275,18 @@ class _Balance:
             number = len(layout.frictions) + layout.walls.index(name)
             found.append((wall.between, self.held[:, number]))
         for name, friction in mechanism.frictions.items():
-            tension = friction.viscous * self.rate(*friction.between)
+            tension = friction.viscous * self.rate(friction.between)
             tension = tension + self.of(force_signal(modes, "frictions", name))
             if name in layout.frictions:
-                tension = tension + self.dry[name]
+                tension = tension + self.held[:, layout.frictions.index(name)]
             found.append((friction.between, tension))
         return found
 
     def of_controller(self, name: str) -> float:
         acts = self.of(control_signal(self.course.modes, name))
-        return self.integral(acts * self.rate(*self.mechanism.controllers[name].acts))
+        return self.integral(acts * self.rate(self.mechanism.controllers[name].acts))
 
     def of_force(self, name: str) -> float:
-        force, layout = self.mechanism.forces[name], self.course.modes.system.layout
-        row = EndRows(self.mechanism, layout).given(force)
-        return self.integral(self.at_nodes(row) * self.at_nodes(self.rows[force.on][1]))
+        force = self.mechanism.forces[name]
+        given, velocity = self.rows.given(force), self.rows.velocity(force.on)
+        return self.integral(self.at_nodes(given) * self.at_nodes(velocity))
