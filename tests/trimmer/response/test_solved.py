@@ -167,6 +167,13 @@ def test_a_drive_that_moves_nothing_leaves_rest() -> None:
     )
     assert still.kind is MotionKind.REST
     assert still.motion.rest.positions["body"] == pytest.approx(0.0, abs=1e-300)
+    pin, rub = Pin("ground", amplitude=0.1), Friction(("ground", "body"), 1.0)
+    gap = {"gap": Output({"body": 1.0, "pin": -1.0})}
+    beside = body(frequency=DRIVE, pins={"pin": pin}, frictions={"rub": rub}, outputs=gap)
+    seen = respond(beside).motion
+    found = seen.peak_to_peak["gap"], seen.rms["gap"].value, seen.harmonics["gap"][0]
+    assert seen.kind is MotionKind.REST
+    assert found == pytest.approx((0.2, 0.1 / math.sqrt(2), 0.1), rel=1e-13)
     shaken = oscillator(pins={"table": Pin("ground", amplitude=0.1)})
     assert respond(shaken.with_value("links.spring.damping", 0.1)).kind is MotionKind.PERIODIC
 

@@ -98,7 +98,7 @@ class EndRows:
         return self.velocity(end) - self.velocity(start)
 
     def tension(self, part: Link) -> Reals:
-        """Return the force of a link without its curve, N, positive where it pulls the ends together, (N,)."""
+        """Return the force of a link without its curve, N, positive where it pulls ends together, (N,)."""
         stretch, rate = self.distance(part.between), self.speed(part.between)
         return np.asarray(part.stiffness * stretch + part.damping * rate)
 

@@ -9,7 +9,6 @@ import numpy as np
 
 from trimmer.choices import Choice
 from trimmer.kept_property import cached_property
-from trimmer.motion.measures import HARMONICS
 from trimmer.response.flows import flow_of
 from trimmer.response.statistics.estimate import Estimate
 from trimmer.showing.drawn import Drawn
@@ -150,8 +149,6 @@ class SettledMotion(Shown):
     @cached_property
     def rms(self) -> Mapping[str, Estimate]:
         """Root of the mean square of each output about its mean; exact if it repeats."""
-        if self.rest is not None:
-            return dict.fromkeys(self.rest.flow.outputs, Estimate(0.0, 0.0))
         if self.measures is not None:
             return {name: Estimate(each.rms, 0.0) for name, each in self.measures.outputs.items()}
         if self._lines is not None:
@@ -161,8 +158,6 @@ class SettledMotion(Shown):
     @cached_property
     def peak_to_peak(self) -> Mapping[str, float]:
         """Largest less smallest value of each output; in the window if it does not repeat."""
-        if self.rest is not None:
-            return dict.fromkeys(self.rest.flow.outputs, 0.0)
         if self.measures is not None:
             return {name: each.peak_to_peak for name, each in self.measures.outputs.items()}
         if self._lines is not None:
@@ -185,8 +180,6 @@ class SettledMotion(Shown):
 
         Without a drive that is the shift in a second.
         """
-        if self.rest is not None:
-            return dict.fromkeys(self.rest.flow.outputs, 0.0)
         if self.measures is not None:
             return {name: each.advance for name, each in self.measures.outputs.items()}
         if self._lines is not None:
@@ -196,8 +189,6 @@ class SettledMotion(Shown):
     @cached_property
     def harmonics(self) -> Mapping[str, Reals]:
         """Amplitudes of each output at the harmonics of the drive."""
-        if self.rest is not None:
-            return {name: np.zeros(HARMONICS) for name in self.rest.flow.outputs}
         if self.measures is not None:
             return {name: each.harmonics for name, each in self.measures.outputs.items()}
         if self._lines is not None:
