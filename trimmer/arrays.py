@@ -6,6 +6,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import fields
+from functools import cache
 from typing import Any, Self
 
 import numpy as np
@@ -16,6 +17,14 @@ Complexes = NDArray[np.complex128]
 Flags = NDArray[np.bool_]
 Places = NDArray[np.intp]
 Integers = NDArray[np.int64]
+
+
+@cache
+def identity(count: int) -> Reals:
+    """Return the identity matrix, (n, n), which is kept, and not to be written."""
+    found = np.eye(count)
+    found.setflags(write=False)
+    return found
 
 
 def norm(vector: Reals) -> float:

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from trimmer.arrays import Integers, Reals
+from trimmer.arrays import Integers, Reals, identity
 from trimmer.hybrid.nodes import Nodes, nodes, sample
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.hybrid.system import NOTHING, OWN_KINDS
@@ -111,7 +111,7 @@ class Course:
     @property
     def monodromy(self) -> Reals:
         """The derivative of the state at the end by that at the start, (n, n)."""
-        return self.tangents(np.eye(self.modes.system.layout.state_count))
+        return self.tangents(identity(self.modes.system.layout.state_count))
 
     def before(self, row: int) -> Reals:
         """Return the extended state, (N,), just before the event that begins a row of the log."""

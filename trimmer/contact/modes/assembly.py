@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from trimmer.arrays import Places, Reals
+from trimmer.arrays import Places, Reals, identity
 from trimmer.contact.machine.machine import Machine, relaxing_springs
 from trimmer.contact.machine.statuses import (
     ALWAYS,
@@ -77,7 +77,7 @@ class Assembler:
         machine = self.machine
         contacts, bodies = len(machine.stiffness), machine.contact_push.shape[1]
         flow = flow_without_stick(machine, statuses)
-        hold = np.eye(len(flow))
+        hold = identity(len(flow)).copy()
         for contact, z in self._springs:
             if statuses[contact] in PUSHING:
                 hold[z] = machine.contact_distance[contact]

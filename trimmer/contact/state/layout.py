@@ -8,6 +8,7 @@ Displacements are those in a frame, which may move.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 
@@ -216,13 +217,8 @@ class MechanismLayout:
             time: s.
             before: Whole drive periods that were before, s, which do not count for waves of the drive alone.
         """
-        values = np.ones(self.forcing)
-        for place, order in enumerate(self.orders):
-            angle = order * self.omega * (time if self.recurrence == 1 else before + time)
-            values[2 * place : 2 * place + 2] = np.sin(angle), np.cos(angle)
+        waved = time if self.recurrence == 1 else before + time
+        values = [wave(order * self.omega * waved) for order in self.orders for wave in (math.sin, math.cos)]
         for profile in self.profiles:
-            place = self.profile(profile) - self.state_count
-            values[place : place + 2] = profile.along(before + time)
-        if self.ramp:
-            values[-2] = before + time
-        return values
+            values += profile.along(before + time)
+        return np.array([*values, before + time, 1.0] if self.ramp else [*values, 1.0])

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trimmer.arrays import Reals
+from trimmer.arrays import Reals, identity, norm
 from trimmer.hybrid.calm import amid_longest, is_amid
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.kept_property import cached_property
@@ -64,7 +64,7 @@ class Shot:
         difference: Reals = (reached - course.begin.state) / self.sizes
         return difference
 
-    @property
+    @cached_property
     def miss(self) -> float:
         """The largest modulus of them, from where it was solved."""
         if self.calm is not None:
@@ -153,7 +153,7 @@ class Return:
         Raises:
             LinAlgError: if no correction can be told, as of numbers that are not finite.
         """
-        matrix = shot.monodromy * shot.sizes / shot.sizes[:, None] - np.eye(len(shot.gap))
+        matrix = shot.monodromy * shot.sizes / shot.sizes[:, None] - identity(len(shot.gap))
         if self.periods:
             return -_shortest(matrix, shot.gap) * shot.sizes, 0.0
         # The state may slide along the orbit: the correction is to be at right angles to it.
@@ -297,11 +297,11 @@ def _improved(problem: Return, shot: Shot, halvings: int) -> Shot | None:
         correction = problem.step(shot)
     except np.linalg.LinAlgError:
         return None
-    size = np.linalg.norm(shot.gap)
+    size = norm(shot.gap)
     share = 1.0
     for _ in range(halvings if shot.miss > ROUNDED else 1):
         trial = problem.corrected(shot, share, correction)
-        if trial is not None and np.linalg.norm(trial.gap) < (1.0 - 0.1 * share) * size:
+        if trial is not None and norm(trial.gap) < (1.0 - 0.1 * share) * size:
             return trial
         share *= 0.5
     return None
