@@ -1,4 +1,4 @@
-"""A real cluster on this computer: a scheduler and workers, each a process of its own."""
+"""Laws of all runners, and a real cluster here: a scheduler and workers, each a process of its own."""
 
 from __future__ import annotations
 
@@ -17,8 +17,9 @@ import pytest
 from trimmer import Mechanism, SerialRunner, motion_map
 from trimmer.command_line.main import main
 from trimmer.errors import WorkerError
-from trimmer.runners import ClusterRunner
+from trimmer.runners import ClusterRunner, ProcessRunner
 from trimmer.runners.chunks import AHEAD
+from trimmer.runners.runner import Runner
 
 if TYPE_CHECKING:
     from distributed import LocalCluster
@@ -26,12 +27,12 @@ if TYPE_CHECKING:
 pytestmark = pytest.mark.skipif(find_spec("distributed") is None, reason="needs the package distributed")
 
 
-@pytest.fixture(scope="module", params=[1])
+@pytest.fixture(scope="module")
 def cluster(request, tmp_path_factory) -> Iterator[LocalCluster]:
     from distributed import LocalCluster
 
     with LocalCluster(
-        n_workers=request.param,
+        n_workers=getattr(request, "param", 1),
         threads_per_worker=1,
         processes=True,
         dashboard_address=":0",
@@ -48,16 +49,21 @@ def worker_ids(cluster: LocalCluster) -> list[int]:
         return list(client.run(os.getpid).values())
 
 
-def test_each_cell_is_done_once(cluster) -> None:
-    results = ClusterRunner(cluster.scheduler_address).results(operator.neg, [*range(50), 3, 3])
-    assert sorted(results) == sorted(-number for number in [*range(50), 3, 3])
+@pytest.fixture(params=[SerialRunner, ProcessRunner, ClusterRunner])
+def runner(request) -> Runner:
+    """Each kind of runner, in small chunks where it has any."""
+    if request.param is SerialRunner:
+        return SerialRunner()
+    first = 2 if request.param is ProcessRunner else request.getfixturevalue("cluster").scheduler_address
+    return request.param(first, chunk=2)
 
 
-def test_no_cells_give_no_results(cluster) -> None:
-    assert list(ClusterRunner(cluster.scheduler_address).results(operator.neg, [])) == []
+@pytest.mark.parametrize("cells", [[*range(50), 3, 3], []])
+def test_each_cell_is_done_once(runner, cells: list[int]) -> None:
+    assert sorted(runner.results(operator.neg, cells)) == sorted(-number for number in cells)
 
 
-def test_cells_are_taken_as_they_are_needed(cluster) -> None:
+def test_cells_are_taken_as_they_are_needed(runner) -> None:
     taken = []
 
     def cells() -> Iterator[int]:
@@ -65,15 +71,15 @@ def test_cells_are_taken_as_they_are_needed(cluster) -> None:
             taken.append(number)
             yield number
 
-    results = ClusterRunner(cluster.scheduler_address, chunk=2).results(operator.neg, cells())
+    results = runner.results(operator.neg, cells())
     next(results)
-    results.close()
-    assert len(taken) <= (AHEAD + 1) * 2
+    del results  # which ends it
+    assert len(taken) <= 2 * (AHEAD * getattr(runner, "count", 1) + 1)
 
 
-def test_an_error_of_the_work_comes_through(cluster) -> None:
+def test_an_error_of_the_work_comes_through(runner) -> None:
     with pytest.raises(ValueError, match=r"math domain error|nonnegative"):
-        list(ClusterRunner(cluster.scheduler_address).results(math.sqrt, [-1.0]))
+        list(runner.results(math.sqrt, [-1.0]))
 
 
 @pytest.mark.slow
@@ -97,14 +103,10 @@ def test_a_worker_that_is_killed_on_the_way_changes_no_digit(cluster, project_fo
     assert killed not in worker_ids(cluster)
 
 
-def test_a_scheduler_that_is_not_there_is_told_in_a_sentence() -> None:
-    with pytest.raises(WorkerError, match=r"no Dask scheduler answers at tcp://127.0.0.1:9: begin one"):
-        list(ClusterRunner("tcp://127.0.0.1:9", patience=1).results(operator.neg, [1]))
-
-
-def test_an_address_that_is_none_is_told_in_a_sentence() -> None:
-    with pytest.raises(WorkerError, match="no Dask scheduler answers at nowhere://x"):
-        list(ClusterRunner("nowhere://x", patience=1).results(operator.neg, [1]))
+@pytest.mark.parametrize("address", ["tcp://127.0.0.1:9", "nowhere://x"])
+def test_a_scheduler_that_is_not_there_is_told_in_a_sentence(address: str) -> None:
+    with pytest.raises(WorkerError, match=f"no Dask scheduler answers at {address}: begin one"):
+        list(ClusterRunner(address, patience=1).results(operator.neg, [1]))
 
 
 def test_a_scheduler_without_workers_is_told_in_a_sentence() -> None:
