@@ -1,4 +1,4 @@
-"""Numbers of a motion by brute force: integral, rms, smallest and largest value."""
+"""Numbers of a motion by brute force: rms, smallest and largest value."""
 
 import numpy as np
 from scipy.optimize import brentq
@@ -9,24 +9,14 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
 TURNS = 9
 
 
-def integral(motion: BruteMotion, function) -> np.ndarray:
-    """Integrate function(times, y as columns, piece) over the motion by Gauss's rule on each step."""
+def root_mean_square(motion: BruteMotion, row_of) -> float:
+    """Rms of the row that ``row_of`` gives for each mode, by Gauss's rule on each step."""
     total = 0.0
     for piece in motion.pieces:
         half = (piece.end - piece.begin) / 2
         times = piece.begin + half * (1 + NODES)
-        total = total + half * (function(times, piece.interpolated(times), piece) @ WEIGHTS)
-    return np.asarray(total)
-
-
-def root_mean_square(motion: BruteMotion, row_of) -> float:
-    """Rms of the row that ``row_of`` gives for each mode."""
-    begin, end = motion.pieces[0].begin, motion.pieces[-1].end
-
-    def squared(times, y, piece):
-        return (row_of(piece.mode) @ y) ** 2
-
-    return float(np.sqrt(integral(motion, squared) / (end - begin)))
+        total += half * (row_of(piece.mode) @ piece.interpolated(times)) ** 2 @ WEIGHTS
+    return float(np.sqrt(total / (motion.pieces[-1].end - motion.pieces[0].begin)))
 
 
 def extremes(motion: BruteMotion, row_of) -> tuple[float, float]:

@@ -7,8 +7,6 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from tests.mechanisms.brute_force import BruteForce
-from tests.mechanisms.energy import energy
 from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.quick import quick
 from tests.trimmer.contact.test_against_brute_force import compare
@@ -123,15 +121,6 @@ def test_a_large_structure_moves_as_its_bodies_do() -> None:
 @pytest.mark.parametrize("seed", quick(range(1, 40, 4), 0))
 def test_random_structures_against_brute_force(seed: int) -> None:
     compare(in_other_coordinates(random_mechanism(seed), seed), 2, known=0.5)
-
-
-def test_what_a_structure_loses_is_what_brute_force_finds() -> None:
-    mechanism = in_other_coordinates(random_mechanism(60), 60)
-    period = 1 / mechanism.frequency
-    brute = energy(BruteForce(1e-10).from_rest(mechanism, period))
-    assert brute.unbalance == pytest.approx(0.0, abs=1e-8 * abs(brute.supplied))
-    lost = simulate(mechanism, period).energy.structures["other"]
-    assert lost == pytest.approx(brute.structures, rel=1e-8)
 
 
 def as_structure(mechanism: Mechanism, structure: Structure) -> Mechanism:

@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 
+from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.quick import quick
 from tests.trimmer.response.mechanisms import example, twin
 from trimmer import Body, ContactLaw, Force, Link, Mechanism, MechanismError, Stop, simulate
@@ -16,9 +17,9 @@ NAMES = ("thesis-play", "second-play", "foil-shaver", "held", "servo", "den-hart
 
 
 @pytest.mark.parametrize("law", quick(LAWS, 0))
-@pytest.mark.parametrize("name", NAMES)
-def test_the_energy_balance_closes_to_rounding(name: str, law: ContactLaw) -> None:
-    mechanism = example(name)
+@pytest.mark.parametrize("name", [*NAMES, 4, 8])
+def test_the_energy_balance_closes_to_rounding(name: str | int, law: ContactLaw) -> None:
+    mechanism = example(name) if isinstance(name, str) else random_mechanism(name)
     plays = {key: dataclasses.replace(play, law=law) for key, play in mechanism.plays.items()}
     mechanism = dataclasses.replace(mechanism, plays=plays)
     motion = simulate(mechanism, 20.3 / mechanism.frequency)
