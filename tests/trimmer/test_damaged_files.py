@@ -2,8 +2,10 @@
 
 import io
 import json
+import os
 import wave
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -86,6 +88,7 @@ def test_a_damaged_file_is_told_in_a_sentence(tmp_path: Path, name: str) -> None
 
 SERIAL = {"most_periods": 40, "runner": SerialRunner()}
 SAMPLE = ["sample", str(EXAMPLES / "scatter.toml"), "--count", "3", "--periods", "5", "--jobs", "1"]
+OF_MAP = ["map", str(EXAMPLES / "den-hartog.toml"), "--vary", "frequency=0.1:0.12:2", "--jobs", "1"]
 
 
 @pytest.fixture(scope="module")
@@ -143,16 +146,28 @@ def test_damaged_samples_are_gone_on_with_or_told(tmp_path: Path, sample_lines: 
         ({"kind": "periodic", "period_count": 2}, "the period is inf, which is not period_count"),
         ({"measures": ["endless"]}, "a measure is 'endless', and the only word there is infinite"),
         ({"measures": [-1.0]}, "a measure is -1, which is no size of it"),
+        ({"kind": "nonsense"}, "kind is 'nonsense'"),
+        ({"period_count": "one"}, "period_count is 'one'"),
+        ({"measures": 3}, "measures is 3"),
     ],
 )
 def test_a_sample_that_none_can_be(tmp_path: Path, sample_lines: list[str], capsys, changes, reason) -> None:
     kept = json.loads(sample_lines[1])
     measures = changes.get("measures", [1.0])
-    whole = measures if reason.startswith("measures has") else [*measures, *kept["measures"][1:]]
+    whole = measures if reason.startswith("measures") else [*measures, *kept["measures"][1:]]
     path = tmp_path / "samples.jsonl"
     path.write_text(f"{sample_lines[0]}\n{json.dumps({**kept, **changes, 'measures': whole})}\n")
     assert main([*SAMPLE, "--output", str(path), "--resume", "--quiet"]) == 2
     assert reason in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("words", [SAMPLE, OF_MAP], ids=lambda each: each[0])
+@pytest.mark.parametrize("make", [os.mkfifo, partial(os.symlink, "/dev/zero")])
+def test_nothing_goes_on_with_a_stream(tmp_path: Path, capsys, words: list[str], make) -> None:
+    make(path := tmp_path / "kept")
+    assert main([*words, "--output", str(path), "--resume"]) == 2
+    told = f"trimmer: {path} is a stream, from which nothing can go on: name a file\n"
+    assert capsys.readouterr() == ("", told)
 
 
 CELL = '{"number": 0, "motions": []}'
@@ -160,10 +175,11 @@ CELL = '{"number": 0, "motions": []}'
 
 @pytest.mark.parametrize("line", [CELL, CELL.replace("0", "-1"), CELL.replace("0", "true"), "[" * 100_000])
 def test_a_map_with_a_line_that_is_no_cell(tmp_path: Path, map_lines: list[str], line: str) -> None:
-    path = tmp_path / "map.jsonl"
-    path.write_text(f"{map_lines[0]}\n{line}\n")
-    with pytest.raises(TrimmerError, match=r"map\.jsonl, line 2: is no cell of a map \(.*take the line out"):
-        motion_map(impact_oscillator(), NUMBERS, file=path, resume=True, **SERIAL)
+    path, twice = tmp_path / "map.jsonl", f"{map_lines[1]}\n{map_lines[1]}"
+    for lines, at in ((line, 2), (twice, 3)):
+        path.write_text(f"{map_lines[0]}\n{lines}\n")
+        with pytest.raises(TrimmerError, match=rf"map\.jsonl, line {at}: is no cell .*take the line out"):
+            motion_map(impact_oscillator(), NUMBERS, file=path, resume=True, **SERIAL)
 
 
 @pytest.mark.parametrize(
@@ -173,6 +189,7 @@ def test_a_map_with_a_line_that_is_no_cell(tmp_path: Path, map_lines: list[str],
         ({"periods": -1}, "period_count, periods or starts are too small"),
         ({"starts": 0}, "period_count, periods or starts are too small"),
         ({"failure": "a\nb"}, "failure is no text on one line"),
+        ({"failure": "a\x1b[31m"}, "failure is no text on one line"),
         ({"measures": None}, "measures is null, and there is no failure"),
         ({"period_count": 0}, "period_count is 0, which does not fit kind"),
         ({"kind": "chaotic"}, "period_count is 1, which does not fit kind"),
@@ -188,6 +205,8 @@ def test_a_map_with_a_line_that_is_no_cell(tmp_path: Path, map_lines: list[str],
         ({"wear_power": {"a": 1.0}}, "measures.wear_power is not of the parts"),
         ({"peak_to_peak": {"x": -1.0}}, "measures.peak_to_peak.x is -1, which is no size"),
         ({"impacts": -1.0}, "measures.impacts is -1, which is no size"),
+        ({"impact_speed": -0.5}, "measures.impact_speed is -0.5, which is no size"),
+        ({"rms_acceleration": {"mass": 1e60}}, "measures.rms_acceleration.mass is 1e\\+60"),
         ({"wear_power": {"a": "b"}}, "wear_power.* is 'b'"),
         ({"periods": 10**20}, "periods.*whole number"),
         ({"events": True}, "events.*a number"),
