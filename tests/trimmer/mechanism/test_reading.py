@@ -51,6 +51,7 @@ def test_standard_input_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
     assert Mechanism.from_toml("-") == Mechanism.from_toml_text(GOOD)
 
 
+WALL = "[walls]\nw = { between = ['ground', 'a']%s }\n[forces]\n"
 CASES = {
     "mass = 1 ": {
         "mass = 0 ": "line 3: bodies.a.mass = 0: must be greater than zero, in kg",
@@ -99,6 +100,11 @@ CASES = {
         '"ab"': "name two ends, as in",
         '["a", 3]': "name two ends, as in",
     },
+    "[forces]\n": {
+        WALL % "": "line 14: walls.w.restitution: missing; add restitution = 0.5",
+        WALL % ", restitution = 1.2": "line 14: walls.w.restitution = 1.2: must be from 0 to 1",
+        WALL % ", restitution = -0.1": "line 14: walls.w.restitution = -0.1: must be from 0 to 1",
+    },
     '["ground", "a"]': {'["Ground", "a"]': "there is no body or pin 'Ground'; did you mean ground?"},
     "[links]": {
         'belt = { on = "ground" }\n[links]\nx = { between = ["belt", "ground"] }': "nothing to act on",
@@ -141,6 +147,7 @@ CASES = {
         "y = { force = 'mont' }": "there is no link, play, stop, wall or friction 'mont'",
         "y = { control = 'axis' }": "line 16: outputs.y.control = 'axis': there is no controller",
         "y = { velocity = { b = '1 m' } }": "outputs.y.velocity.b = '1 m': 'b' is a translation, so that its",
+        "y = { velocity = { b = 1 }, b = 1 }": "outputs.y.velocity = {'b': 1}: give a number",
         "y = { velocity = 1, b = 1 }": "outputs.y.velocity = 1: there is no body or pin 'velocity'",
     },
     "a = [0, 0.5]": {
