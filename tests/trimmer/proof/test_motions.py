@@ -2,9 +2,7 @@
 
 import math
 import re
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import control
 import numpy as np
@@ -14,7 +12,6 @@ from tests.mechanisms.brute_force import BruteForce
 from tests.mechanisms.dynamics import System
 from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.quick import quick
-from tests.trimmer.proof.test_made_false import require_refused
 from tests.trimmer.proof.test_orbits import machine, sampled
 from trimmer import ClosedLoop, Relay, simulate
 from trimmer.mechanism import Body, Mechanism, Output, Wall
@@ -96,58 +93,6 @@ def test_a_relay_in_a_loop_switches_when_its_output_says() -> None:
     ((lower, upper),) = told(proof, "event 1")
     for end, sign in ((lower, 1), (upper, -1)):
         assert sign * (2.0 - end - math.exp(-end)) >= 0
-
-
-def later(data: dict[str, Any]) -> None:
-    data["motion"]["segments"][-1]["at"] = 9.0
-
-
-def without_an_impact(data: dict[str, Any]) -> None:
-    data["motion"]["segments"] = data["motion"]["segments"][1:]
-    data["functionals"] = []
-
-
-def from_elsewhere(data: dict[str, Any]) -> None:
-    data["motion"]["state"][0] *= 1.1
-
-
-def with_a_drive(data: dict[str, Any]) -> None:
-    data["equations"]["period"], data["motion"]["periods"] = 1.0, 1.0
-
-
-def of_an_unknown_reset(data: dict[str, Any]) -> None:
-    data["motion"]["segments"][1]["reset"] = 7
-
-
-def read_behind_its_end(data: dict[str, Any]) -> None:
-    data["functionals"][0]["before"] = [2]
-
-
-def nearer(data: dict[str, Any]) -> None:
-    data["motion"]["segments"][0].update(fired=None, at=0.5, duration=0.5)
-
-
-def back_in_time(data: dict[str, Any]) -> None:
-    data["motion"]["segments"][-1].update(at=0.5)
-
-
-@pytest.mark.parametrize(
-    ("change", "words"),
-    [
-        (later, "an event is too far"),
-        (without_an_impact, "the states jump where the motion begins"),
-        (from_elsewhere, "an event is too far"),
-        (with_a_drive, "has neither period"),
-        (of_an_unknown_reset, "there is no such reset"),
-        (read_behind_its_end, "before an event that is none"),
-        (nearer, "an event is too far"),
-        (back_in_time, "too far"),
-    ],
-)
-def test_a_motion_that_was_made_false_is_refused(
-    tmp_path: Path, change: Callable[[dict[str, Any]], None], words: str
-) -> None:
-    require_refused(tmp_path / "motion.json", falling(), change, words)
 
 
 def test_a_sampled_motion_at_its_limit_is_proven_and_verified_again(tmp_path: Path) -> None:

@@ -11,8 +11,7 @@ import pytest
 from scipy.integrate import simpson, solve_ivp
 
 from tests.quick import quick
-from tests.trimmer.proof.test_made_false import require_refused
-from tests.trimmer.proof.test_orbits import ORBITS, at, machine
+from tests.trimmer.proof.test_orbits import ORBITS, machine
 
 pytest.importorskip("flint")
 from trimmer.proof import Proof, check_proof, prove_orbit
@@ -114,39 +113,6 @@ def test_a_linear_motion_has_the_peaks_and_means_of_its_response() -> None:
     }
     for word, value in expected.items():
         assert found[word] == pytest.approx((value, value), rel=1e-12)
-
-
-def weighted(data: dict[str, Any]) -> None:
-    for row in data["functionals"][0]["rows"]:
-        row[0] *= 1 + 1e-12
-
-
-def told_in_no_digits(data: dict[str, Any]) -> None:
-    for row in data["functionals"][0]["rows"]:
-        row[:] = [1e-300 * (1e-23 * each) for each in row]
-
-
-def before_no_event(data: dict[str, Any]) -> None:
-    data["functionals"][2]["before"] = [len(data["motion"]["segments"])]
-
-
-def less_a_mode(data: dict[str, Any]) -> None:
-    data["functionals"][0]["rows"].append(data["functionals"][0]["rows"][0])
-
-
-@pytest.mark.parametrize(
-    ("change", "reason"),
-    [
-        (weighted, "the file says another theorem"),
-        (at("functionals", 2, "before", to=[]), "the file says another theorem"),
-        (told_in_no_digits, "a number is too large or too small for the digits"),
-        (before_no_event, "a functional is told before an event that is none"),
-        (less_a_mode, "a functional does not fit the modes"),
-        (at("motion", "state", 0, by=1 + 1e-6), "the motion begins elsewhere: state 0"),
-    ],
-)
-def test_readings_that_were_made_false_are_refused(tmp_path, change, reason) -> None:
-    require_refused(tmp_path / "read.json", read("ball on a wall"), change, reason)
 
 
 @pytest.mark.parametrize("word", ["smallest", "peak to peak", "mean", "about the mean", "before event 1"])
