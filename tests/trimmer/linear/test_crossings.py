@@ -1,57 +1,18 @@
 import dataclasses
 import math
-from functools import cache
 
 import control
-import mpmath
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.quick import quick
-from tests.trimmer.trimmers import exact_response, stable_systems
+from tests.trimmer.trimmers import stable_systems
 from trimmer import TrimmerParameters, pin_model, transfer_function
-from trimmer.linear import InputChannels, gain_crossings, real_axis_crossings
+from trimmer.linear import gain_crossings, real_axis_crossings
 
 THESIS = TrimmerParameters.thesis()
 BUILDERS = [pin_model, transfer_function]
-
-
-@cache
-def exact_responses(lowest: float, highest: float, velocity_too: bool) -> np.ndarray:
-    """Return the response at 200 angular frequencies (rad/s), from the force balance."""
-    grid = np.geomspace(lowest, highest, 200)
-    return np.array([complex(exact_response(omega, velocity_too)) for omega in grid])
-
-
-@pytest.mark.parametrize("build", quick(BUILDERS, 0))
-@pytest.mark.parametrize("channels", InputChannels)
-@pytest.mark.parametrize("level", quick([1.0, 0.956937799 / math.sqrt(2), 5.0], 0))
-def test_gain_crossings_of_the_thesis_trimmer_are_those_of_the_force_balance(build, channels, level) -> None:
-    velocity_too = channels is InputChannels.DISPLACEMENT_AND_VELOCITY
-    found = gain_crossings(build(THESIS, channels=channels), level)
-    grid = np.abs(exact_responses(300, 1e4, velocity_too))
-    assert len(found) == np.count_nonzero(np.diff(np.sign(grid - level)))
-    for omega in found:
-        with mpmath.workdps(30):
-            exact = mpmath.findroot(lambda x: abs(exact_response(x, velocity_too)) - level, omega)
-        assert omega == pytest.approx(float(exact), rel=1e-12)
-
-
-@pytest.mark.parametrize("build", quick(BUILDERS, 1))
-@pytest.mark.parametrize("channels", InputChannels)
-def test_real_axis_crossings_of_the_thesis_trimmer_are_those_of_the_force_balance(build, channels) -> None:
-    velocity_too = channels is InputChannels.DISPLACEMENT_AND_VELOCITY
-    found = real_axis_crossings(build(THESIS, channels=channels))
-    grid = exact_responses(100, 1e5, velocity_too)
-    assert len(found) == np.count_nonzero(np.diff(np.sign(grid.imag)))
-    for crossing in found:
-        with mpmath.workdps(30):
-            exact = mpmath.findroot(lambda x: exact_response(x, velocity_too).imag, crossing.omega)
-            value = exact_response(exact, velocity_too).real
-        assert crossing.omega == pytest.approx(float(exact), rel=1e-9)
-        assert crossing.value == pytest.approx(float(value), rel=1e-9)
 
 
 @settings(max_examples=10)
