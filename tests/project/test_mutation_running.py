@@ -1,6 +1,5 @@
 """Mutants are made in a copy, their outcomes are kept, and the summary counts them."""
 
-import os
 import subprocess
 import sys
 from dataclasses import replace
@@ -91,38 +90,6 @@ def test_a_function_that_is_loaded_gets_its_changed_code(tmp_path: Path, monkeyp
     assert patch is not None and patch.apply(tmp_path)
     assert plates.Plate(6).area == 3.0
     assert not replace(patch, name="volume", source="def volume(): pass", line=1).apply(tmp_path)
-
-
-WORK = """
-import sys, time
-from pathlib import Path
-from scripts.mutation import child
-from scripts.mutation.child import Place, run
-import tests.project.mutation_work as work
-
-if __name__ == "__main__":
-    child.LIBRARIES = ()  # nothing that this work needs
-    folder = Path(sys.argv[1])
-    place = Place(folder, folder / "numba", folder / "printed.txt")
-    for name in ("answers", "raises", "loops", "dies"):
-        ended = run(getattr(work, name), (), place, 1.0)
-        print(name, ended.end.value, *[ended.value] * (name != "loops"))
-"""
-
-
-@pytest.mark.slow
-def test_how_a_process_ends_is_told(tmp_path: Path) -> None:
-    script = tmp_path / "script.py"
-    script.write_text(WORK, encoding="utf-8")
-    where = {"cwd": (here := Path(__file__).parents[2]), "env": {**os.environ, "PYTHONPATH": str(here)}}
-    command = [sys.executable, script, tmp_path]
-    done = subprocess.run(command, **where, capture_output=True, text=True, timeout=100)
-    assert done.stdout.splitlines() == [
-        "answers done 42",
-        "raises raised ZeroDivisionError: division by zero",
-        "loops timeout",
-        "dies died 3",
-    ], done.stderr
 
 
 def test_test_files_are_those_that_run_a_line_the_one_that_names_the_module_first(tmp_path: Path) -> None:

@@ -8,30 +8,6 @@ import pytest
 import trimmer
 from tests.public_names import public_names
 
-HEAVY = ("control", "matplotlib", "numpy", "scipy", "shtab", "sympy", "tqdm")
-
-
-def modules_after(statement: str, folder: Path) -> set[str]:
-    code = f"{statement}\nimport sys\nprint(*sys.modules, file=sys.stderr)"
-    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=folder)
-    return set(run.stderr.split())
-
-
-@pytest.mark.parametrize(
-    "statement",
-    [
-        "import trimmer; dir(trimmer); trimmer.TrimmerParameters.thesis().to_toml(); trimmer.TrimmerError\n"
-        "trimmer.Mechanism.from_toml('examples/thesis.toml').value('frequency')",
-        "from trimmer.command_line.main import main\n"
-        "for words in (['--help'], ['linear', '-h'], ['linear', '--parameters', 'no such file']):\n"
-        "    try: main(words)\n    except SystemExit: pass",
-    ],
-)
-def test_heavy_libraries_are_not_imported_before_they_are_needed(statement: str, project_folder) -> None:
-    loaded = modules_after(statement, project_folder)
-    assert "trimmer" in loaded
-    assert loaded.isdisjoint(HEAVY)
-
 
 def test_every_public_name_comes_from_its_module() -> None:
     for name, value in public_names().items():
