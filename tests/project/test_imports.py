@@ -28,7 +28,7 @@ def modules_after(statement: str, folder: Path) -> set[str]:
         ("import sympy", {"sympy"}),  # or else nothing would be shown
         ("import report.command", set()),
         (
-            "import trimmer; dir(trimmer); trimmer.TrimmerParameters.thesis().to_toml()\ntrimmer.TrimmerError\n"
+            "import trimmer; dir(trimmer); trimmer.TrimmerError; trimmer.TrimmerParameters.thesis()\n"
             "trimmer.Mechanism.from_toml('examples/thesis.toml').value('frequency')",
             set(),
         ),

@@ -160,17 +160,6 @@ MAP = ["map", str(EXAMPLES / "thesis-play.toml"), "--vary", "plays.bridge.gap=40
 MAP += ["--set", "frictions.blade.force=1", "--jobs", "1"]
 
 
-def test_a_map_goes_on_where_it_was_interrupted(tmp_path: Path, capsys) -> None:
-    file = tmp_path / "map.jsonl"
-    assert main([*MAP, "--output", str(file), "--json"]) == 0
-    whole = capsys.readouterr().out
-    lines = file.read_text("utf-8").splitlines(keepends=True)
-    file.write_text("".join(lines[:2]) + lines[2][:50], "utf-8")  # as a process leaves it that was killed
-    assert main([*MAP, "--output", str(file), "--resume", "--json"]) == 0
-    assert capsys.readouterr().out == whole
-    assert sorted(file.read_text("utf-8").splitlines()) == sorted(line.rstrip("\n") for line in lines)
-
-
 STOP = ["map", str(EXAMPLES / "oscillator-stop.toml"), "--vary", "frequency=0.86:0.8825:2", "--special", "1"]
 STOP += ["--vary", "stops.stop.gap=9.97:10.03:2", "--jobs", "1"]
 

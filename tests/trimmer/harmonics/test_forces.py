@@ -161,19 +161,3 @@ def test_a_contact_made_where_the_distance_turns_has_a_force_and_no_end_that_jum
         harmonics = HarmonicContact(part, PeriodicWaveform(np.array([0.0, size + 0j]), 2.0)).harmonics()
         assert abs(harmonics.coefficients).max() < 1e-7
         assert np.isfinite(harmonics.direct).all() and np.isfinite(harmonics.conjugate).all()
-
-
-@pytest.mark.parametrize(
-    ("drift", "expected"),
-    [
-        # 2 sign(cos); beyond the largest velocity a constant; half of it is passed for 2/3 of the period.
-        (0.0, [0.0, 8.0 / np.pi, 0.0, -8.0 / (3.0 * np.pi)]),
-        (1.1, [2.0, 0.0, 0.0, 0.0]),
-        (-1.1, [-2.0, 0.0, 0.0, 0.0]),
-        (0.5, [2.0 / 3.0, 8.0 / np.pi * np.sin(2.0 * np.pi / 3.0)]),
-    ],
-)
-def test_friction_of_a_sine_is_a_square_wave(drift: float, expected: list[float]) -> None:
-    distance = PeriodicWaveform(np.array([0.0, -1e-3j, 0.0, 0.0]), 691.0)
-    found = friction_harmonics(distance, drift * 0.691, 2.0).coefficients
-    assert found[: len(expected)] == pytest.approx(expected, abs=1e-12)

@@ -7,7 +7,7 @@ from dataclasses import replace
 import control
 import pytest
 
-from trimmer import ClosedLoop, Drive, OpenLoop, TrimmerLoop, TrimmerParameters, WrongTypeError, simulate
+from trimmer import ClosedLoop, Drive, OpenLoop, TrimmerLoop, TrimmerParameters, simulate
 from trimmer.elements import CoulombFriction, Element, FrictionBacklash, Relay, ViscousBacklash
 from trimmer.errors import IllPosedLoopError, UnsupportedMotionError
 
@@ -133,22 +133,12 @@ def test_frequency_and_omega_give_the_same_drive() -> None:
         ({"omega": 1.0, "amplitude": -1.0}, "amplitude of the drive must not be negative, not -1.0"),
         ({"omega": 1.0, "amplitude": math.nan}, "amplitude of the drive must be finite, not nan"),
         ({"omega": 1.0, "phase": math.nan}, "phase of the drive must be finite, not nan"),
-    ],
-)
-def test_a_drive_that_has_no_frequency_is_an_error(options: dict[str, float], message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        Drive(**{"amplitude": 1e-3, **options})
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
         ({"frequency": "110"}, r"frequency of the drive must be a real number \(Hz\), not '110'"),
         ({"omega": 1j}, r"omega of the drive must be a real number \(rad/s\), not 1j"),
         ({"omega": 1.0, "phase": None}, r"phase of the drive must be a real number \(rad\), not None"),
         ({"omega": 1.0, "amplitude": [1.0]}, r"amplitude of the drive must be a real number .* not \[1\.0\]"),
     ],
 )
-def test_what_is_no_number_is_named(options: dict[str, object], message: str) -> None:
-    with pytest.raises(WrongTypeError, match=message):
+def test_a_drive_that_has_no_frequency_is_an_error(options: dict[str, object], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
         Drive(**{"amplitude": 1e-3, **options})  # type: ignore[arg-type]

@@ -88,24 +88,20 @@ def test_grazing_in_a_closed_loop_pushes_nothing() -> None:
     assert abs(motion.element_output(np.linspace(0.0, 3.0, 100))).max() < 1e-12
 
 
-@pytest.mark.parametrize("tau", [1e-300, 1e-15, 1e-9])
-def test_a_tiny_time_constant_tends_to_friction_controlled(tau: float) -> None:
-    viscous, limit = (
+@pytest.mark.parametrize(
+    ("tau", "limit", "apart"),
+    [
+        *((tau, FrictionBacklash(4e-5), 1e-3 * min(1, tau / 1e-9) + 1e-11) for tau in (1e-300, 1e-15, 1e-9)),
+        *((tau, InertiaBacklash(4e-5), 1e-7) for tau in (1e9, 1e308)),
+    ],
+)
+def test_a_tiny_or_huge_time_constant_tends_to_friction_or_inertia(tau, limit: Element, apart: float) -> None:
+    viscous, known = (
         simulate(TrimmerLoop(THESIS, element), 0.02, impulse=1e-6)
-        for element in (ViscousBacklash(4e-5, tau), FrictionBacklash(4e-5))
+        for element in (ViscousBacklash(4e-5, tau), limit)
     )
-    assert len(viscous.events) == len(limit.events) > 20
-    assert viscous.event_times == pytest.approx(limit.event_times, rel=1e-3 * min(1.0, tau / 1e-9) + 1e-11)
-
-
-@pytest.mark.parametrize("tau", [1e9, 1e308])
-def test_a_huge_time_constant_tends_to_inertia_controlled(tau: float) -> None:
-    viscous, limit = (
-        simulate(TrimmerLoop(THESIS, element), 0.02, impulse=1e-6)
-        for element in (ViscousBacklash(4e-5, tau), InertiaBacklash(4e-5))
-    )
-    assert len(viscous.events) == len(limit.events) > 20
-    assert viscous.event_times == pytest.approx(limit.event_times, rel=1e-7, abs=1e-15)
+    assert len(viscous.events) == len(known.events) > 20
+    assert viscous.event_times == pytest.approx(known.event_times, rel=apart, abs=1e-15)
 
 
 def test_an_unstable_loop_diverges_and_says_so() -> None:

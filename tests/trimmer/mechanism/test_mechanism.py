@@ -97,25 +97,17 @@ def test_what_is_no_finite_number_is_refused(number: object) -> None:
     [
         ({"bodies": {"a": 1.0}}, r"bodies\.a = 1\.0: give a trimmer\.mechanism\.Body"),
         ({"bodies": [Body(1.0)]}, r"bodies = .* must map names to instances of trimmer\.mechanism\.Body"),
-        ({"bodies": {1: Body(1.0)}}, "a name must be text, not 1"),
         ({"bodies": {"": Body(1.0)}}, "a name must be text on one line"),
         ({"bodies": BODIES, "links": {"l": Friction(("a", "b"), 1.0)}}, r"give a trimmer\.mechanism\.Link"),
-        ({"bodies": BODIES, "links": {"l": Link("ab")}}, "name two ends"),
         ({"bodies": BODIES, "pins": {"p": Pin(3)}}, "name a body"),
-        ({"bodies": BODIES, "outputs": {"y": {"a": 1.0}}}, r"give a trimmer\.mechanism\.Output"),
         ({"bodies": BODIES, "outputs": {"y": Output({"a": "1"})}}, r"outputs\.y\.a = '1': give a number"),
         (
             {"bodies": BODIES, "outputs": {"y": Output({"a": 1}, "rate")}},
             r"y\.kind = 'rate': choose displacement",
         ),
         ({"bodies": BODIES, "controllers": [3]}, "controllers = .* must map names to controllers"),
-        ({"bodies": BODIES, "start": {"a": 1.0}}, r"start\.a = 1\.0: give two numbers"),
-        ({"bodies": BODIES, "start": {"a": (0.0, np.inf)}}, "must be finite"),
         ({"bodies": BODIES, "start": 3}, "start = 3: must map bodies"),
         ({"bodies": BODIES, "frequency": "110 Hz"}, "frequency = '110 Hz': give a number, in Hz"),
-        ({"bodies": BODIES, "title": None}, "title = None: must be text"),
-        ({"bodies": BODIES, "plays": {"p": Play(("a", "b"), law=3)}}, "choose relaxing, truncated or"),
-        ({"bodies": BODIES, "links": {"l": Link(("a", "b"), symbol=r"\x")}}, "a symbol is"),
     ],
 )
 def test_wrong_types_are_refused_in_a_sentence(fields: dict, message: str) -> None:

@@ -9,7 +9,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trimmer import Mechanism, MechanismError, TrimmerParameters
-from trimmer.thesis import ParameterError
 
 GOOD = """\
 frequency = 110.0
@@ -216,30 +215,11 @@ def test_bodies_must_be_a_section(text: str) -> None:
     assert "is a section: write [bodies] on a line of its own" in message_for(text)
 
 
-def test_files_that_cannot_be_read(tmp_path: Path) -> None:
-    (tmp_path / "binary").write_bytes(b"\xff\xfe")
-    for path, reason in (
-        (tmp_path, "is a folder"),
-        (tmp_path / "none", "no such file"),
-        (tmp_path / "binary", "UTF-8"),
-    ):
-        with pytest.raises(MechanismError, match=reason) as raised:
-            Mechanism.from_toml(path)
-        assert str(raised.value).startswith(f"{path}: ")
-
-
 def test_a_parameter_file_is_named_and_what_takes_it(tmp_path: Path) -> None:
     path = tmp_path / "parameters.toml"
     path.write_text(TrimmerParameters.thesis().to_toml())
     with pytest.raises(MechanismError, match="this is a parameter file, for 'trimmer linear"):
         Mechanism.from_toml(path)
-
-
-def test_a_mechanism_in_place_of_parameters_is_named_and_what_takes_it(tmp_path: Path) -> None:
-    path = tmp_path / "mechanism.toml"
-    path.write_text(GOOD)
-    with pytest.raises(ParameterError, match="this is a mechanism, for 'trimmer respond FILE'"):
-        TrimmerParameters.from_toml(path)
 
 
 @given(st.text(st.sampled_from('\n[]{}=",.ab1 '), max_size=40), st.integers(0, len(GOOD)), st.integers(0, 20))

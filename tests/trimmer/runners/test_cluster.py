@@ -19,7 +19,6 @@ from trimmer.command_line.main import main
 from trimmer.errors import WorkerError
 from trimmer.runners import ClusterRunner, ProcessRunner
 from trimmer.runners.chunks import AHEAD
-from trimmer.runners.runner import Runner
 
 if TYPE_CHECKING:
     from distributed import LocalCluster
@@ -50,7 +49,7 @@ def worker_ids(cluster: LocalCluster) -> list[int]:
 
 
 @pytest.fixture(params=[SerialRunner, ProcessRunner, ClusterRunner])
-def runner(request) -> Runner:
+def runner(request):
     """Each kind of runner, in small chunks where it has any."""
     if request.param is SerialRunner:
         return SerialRunner()
