@@ -13,7 +13,7 @@ import control
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.collections import Collection
+from matplotlib.collections import Collection, QuadMesh
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -23,12 +23,15 @@ import trimmer
 from tests.trimmer import results
 from tests.trimmer.maps.machines import impact_oscillator
 from trimmer import SerialRunner, sample
+from trimmer.design.analysis.linear import all_drives, linear_states
 from trimmer.drawing.frequency_response import summary_figure
 from trimmer.drawing.locus import balance_figure
 from trimmer.drawing.mechanisms.branch import branch_figure
+from trimmer.drawing.mechanisms.linear import linear_figure
 from trimmer.drawing.mechanisms.response import motion_figure, response_figure
 from trimmer.drawing.mechanisms.scatter import sample_figure
 from trimmer.drawing.mechanisms.step import step_figure
+from trimmer.drawing.mechanisms.sweep import sweep_figure
 from trimmer.drawing.signals.comparison import comparison_figure
 from trimmer.drawing.signals.fit import fit_figure
 from trimmer.uncertainty import Samples, SampleSettings
@@ -156,14 +159,38 @@ def thrown() -> trimmer.MechanismMotion:
 
 
 @cache
+def shaken() -> trimmer.Mechanism:
+    return trimmer.Mechanism.from_toml("examples/two-mass-stop.toml")
+
+
+@cache
 def two_masses() -> trimmer.Response:
-    return trimmer.respond(trimmer.Mechanism.from_toml("examples/two-mass-stop.toml"))
+    return trimmer.respond(shaken())
 
 
 @cache
 def stepped() -> trimmer.response.StepResponse:
     servo = trimmer.Mechanism.from_toml("examples/two-mass-servo.toml")
     return trimmer.response.step_response(servo, next(iter(servo.references)))
+
+
+@cache
+def swept() -> trimmer.maps.Sweep:
+    """Up beyond the fold, and back, beside the branch."""
+    ways = {"steps": 3, "periods": 60, "back": True, "branch": True, "quiet": True}
+    return trimmer.maps.sweep(impact_oscillator(), "frequency", 1.1, 1.4, **ways)
+
+
+@cache
+def ringing() -> trimmer.Response:
+    """Without damping, so that what it begins with never dies out."""
+    mechanism = trimmer.Mechanism(
+        {"mass": trimmer.Body(1.0)},
+        frequency=0.3,
+        links={"spring": trimmer.Link(("ground", "mass"), stiffness=1.0)},
+        forces={"push": trimmer.Force("mass", amplitude=1.0)},
+    )
+    return trimmer.respond(mechanism)
 
 
 @cache
@@ -174,10 +201,11 @@ def samples() -> Samples:
 
 
 @cache
-def stroke() -> trimmer.MotionMap:
-    """A map over one number."""
-    values = {"frequency": [1.1, 1.2, 1.3]}
-    return trimmer.motion_map(results.forced().mechanism, values, runner=SerialRunner(), quiet=True)
+def measured(*gaps: float) -> trimmer.MotionMap:
+    """A map over the frequency, in no order, and gaps, if there are any."""
+    values = {"frequency": [1.3, 1.1, 1.2]} | ({"stops.wall.gap": [*gaps]} if gaps else {})
+    keys = ["outputs.x.rms"] if gaps else []
+    return trimmer.motion_map(impact_oscillator(), values, measures=keys, runner=SerialRunner(), quiet=True)
 
 
 PLOTS: dict[str, Callable[..., Axes]] = {
@@ -206,7 +234,9 @@ PLOTS: dict[str, Callable[..., Axes]] = {
     "FollowedBranch": lambda ax=None: results.branch().plot(ax),
     "FollowedBranch, of its own": lambda ax=None: rubbing().plot(ax),
     "MotionMap": lambda ax=None: results.motion_map().plot(ax),
-    "MotionMap, stroke": lambda ax=None: stroke().plot(ax),
+    "MotionMap, stroke": lambda ax=None: measured().plot(ax),
+    "MotionMap, measure": lambda ax=None: measured(10.0, 8.0).plot(ax, measure="outputs.x.rms", target=8.0),
+    "MotionMap, one gap": lambda ax=None: measured(10.0).plot(ax, measure="outputs.x.rms", target=8.0),
     "Sweep": lambda ax=None: results.swept().plot(ax),
     "Basin": lambda ax=None: results.basin().plot(ax),
     "Samples": lambda ax=None: samples().plot(ax),
@@ -231,12 +261,15 @@ FIGURES: dict[str, Callable[[], Figure]] = {
     "limit-cycles, integrated": lambda: balance_figure(integrated()),
     "limit-cycles, none": lambda: balance_figure(calm()),
     "linear": lambda: summary_figure(results.summary()),
+    "linear, mechanism": lambda: linear_figure(shaken(), linear_states(shaken(), all_drives(shaken()))),
     "simulate": lambda: motion_figure(results.stopped()),
     "simulate, thrown": lambda: motion_figure(thrown()),
     "respond": lambda: response_figure(results.response()),
     "respond, two motions": lambda: response_figure(trimmer.respond(impact_oscillator(), starts=12)),
     "respond, two outputs": lambda: response_figure(two_masses()),
+    "respond, torus": lambda: response_figure(ringing()),
     "follow": lambda: branch_figure(doubled()),
+    "sweep": lambda: sweep_figure(swept()),
     "step": lambda: step_figure(stepped()),
     "sample": lambda: sample_figure(samples()),
     "overlay": lambda: comparison_figure(results.comparison()),
@@ -267,7 +300,7 @@ def _of_axes(axes: Axes) -> Iterator[str]:
         yield "no axes"
         return
     for each, limits in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
-        grid = "with grid" if each.get_gridlines()[0].get_visible() else "without grid"
+        grid = "with grid" if any(line.get_visible() for line in each.get_gridlines()[:1]) else "without grid"
         # How much room a logarithm leaves above depends on the least that is drawn, which may be rounding.
         shown = limits[:1] if (each.axis_name, each.get_scale()) == ("y", "log") else limits
         yield f"{each.axis_name}: {each.get_label_text()!r}, {each.get_scale()}, {_pair(shown)}, {grid}"
@@ -308,6 +341,10 @@ def _colours(collection: Collection) -> list[str]:
 
 
 def _reached(collection: Collection) -> str:
+    if isinstance(collection, QuadMesh):
+        corners, values = collection.get_coordinates(), np.ravel(collection.get_array())
+        sides = _places(corners[0], 4), _places(corners[:, 0], 4)
+        return f"{' and '.join(sides)}, in {collection.cmap.name} {_places(values[:, None])}"
     if len(collection.get_offsets()) > 1:
         return _places(collection.get_offsets())
     return "; ".join(_places(path.vertices, 4) for path in collection.get_paths()[:FEW])
