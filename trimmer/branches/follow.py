@@ -104,8 +104,6 @@ def follow(
         first = instant_of(known_flow_of(at_start), real_array("state", state)).state
     map = fitting(map, begin, first)
     branch = continuation(map, first, begin, end, settings)
-    if branch.reason is BranchEnd.NO_START and state is None:
-        branch = replace(branch, message=_unsettled(at_start, begin, settings.most_periods))
     base = map
     while base.single is not None:
         base = base.single
@@ -209,9 +207,10 @@ def _orbit_at_start(mechanism: Subject, most_periods: int, periods: int | None) 
 
 
 def _unsettled(subject: Mechanism | Loop, begin: float, most_periods: int) -> str:
-    if pace_of(subject) > 1:
-        told = respond(subject, most_periods=most_periods).motions[0].message
-        why = f"only what repeats is followed: {told[0].lower()}{told[1:]}"
+    motion = respond(subject, most_periods=most_periods).motion
+    cut_short = motion.orbit is None and motion.drive_periods < most_periods
+    if cut_short or pace_of(subject) > 1:
+        why = f"only what repeats is followed: {motion.message[0].lower()}{motion.message[1:]}"
         return f"at {begin:.10g} there is nothing to follow, since {why}"
     waited = periods_of(subject, most_periods)
     return (

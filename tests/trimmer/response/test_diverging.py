@@ -1,6 +1,7 @@
 """What grows without bound, and what only seems to."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,12 +15,18 @@ from trimmer import (
     MotionKind,
     OrbitNotFoundError,
     Relay,
+    SerialRunner,
+    basin,
+    follow,
     forced_orbit,
     motion_map,
     respond,
+    simulate,
 )
+from trimmer.branches import BranchEnd
 from trimmer.maps import sweep
 from trimmer.mechanism import Body, Force, Friction, Link, Output, Pin, Play
+from trimmer.response import step_response
 from trimmer.response.results.response_json import response_json
 from trimmer.response.statistics.growth import grew
 
@@ -174,3 +181,59 @@ def test_what_friction_holds_rests_whatever_drives_it() -> None:
     pushed = respond(held(forces={"push": Force("body", amplitude=0.25)})).motion
     assert pulled.kind is pushed.kind is MotionKind.REST
     assert pulled.rest.positions == pushed.rest.positions == {"body": 0.01}
+
+
+EXPLOSIVE = """
+[bodies]
+mass = { mass = 1.0 }
+[outputs]
+x = { mass = 1 }
+[references]
+path = { step = 1.0 }
+[controllers.lever]
+kind = "pid"
+measure = "x"
+acts = ["ground", "mass"]
+reference = "path"
+"""
+
+
+@pytest.mark.parametrize(
+    ("seconds", "frequency", "told"),
+    [
+        (0.4, 1.0, "it could be followed for 0 drive periods only: "),
+        (1.3, 1.0, "it diverges: after 1 drive period "),
+        (4.6, 1.0, "it diverges: after 4 drive periods "),
+        (0.4, None, "it diverges: within 0.384774 s "),
+        (4.6, None, "it diverges: within 4.45284 s "),
+    ],
+)
+def test_what_explodes_is_told_to_by_all_that_ask(seconds: float, frequency: float | None, told: str) -> None:
+    """A lever pushes away with k times the distance: it grows like exp(sqrt(k) t), to 1e154 and beyond."""
+    machine = Mechanism.from_toml_text(f"{EXPLOSIVE}kp = {-((math.log(1e154) / seconds) ** 2)!r}")
+    machine, told = replace(machine, frequency=frequency), f"{told}it grew beyond all bounds"
+    place = "frequency" if frequency else "bodies.mass.mass"
+    failed = "it grew beyond all bounds" if "only" in told else ""
+    kind = MotionKind.UNDECIDED if failed else MotionKind.DIVERGING
+    moved = simulate(machine, 10.0)
+    assert (moved.success, moved.message) == (False, "it grew beyond all bounds")
+    assert 0.9 * seconds < moved.duration < 1.1 * seconds
+    found = respond(machine, starts=2)
+    assert found.message.lower().startswith(told)
+    assert [(each.kind, each.orbit, each.window) for each in found.motions[:1]] == [(kind, None, None)]
+    with pytest.raises(OrbitNotFoundError, match="it grew beyond all bounds"):
+        forced_orbit(machine)
+    branch = follow(machine, place, 1.0, 1.1)
+    assert (branch.points, branch.reason) == ((), BranchEnd.NO_START)
+    assert told in branch.message
+    stepped = step_response(machine, "path")
+    assert stepped.settles_to.message.lower().startswith(told)
+    assert (stepped.ending, stepped.hunting) == ("", None)
+    (cell,) = motion_map(machine, {place: [1.0]}, runner=SerialRunner(), quiet=True).cells
+    assert [(each.kind, each.measures, each.failure) for each in cell.motions] == [(kind, None, failed)]
+    basins = basin(machine, {"mass.displacement": [0.0, 2.0]}, runner=SerialRunner(), quiet=True)
+    assert basins.names == ("1: failed" if failed else "1: diverging (all such)",)
+    if frequency:
+        swept = sweep(machine, place, 1.0, 1.1, steps=2, periods=8, quiet=True)
+        assert [point.motion.kind for point in swept.points] == [MotionKind.DIVERGING]
+        assert swept.jumps == ()
