@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from trimmer.arguments import finite_number
-from trimmer.arrays import Complexes, Reals
+from trimmer.arrays import Reals
 from trimmer.branches.bifurcations import Bifurcation
 from trimmer.branches.borders import grazing, special_points
 from trimmer.branches.branch import NEUTRAL, Branch, BranchEnd, BranchPoint
@@ -207,14 +207,10 @@ def _branch_point(front: Front) -> BranchPoint:
     return BranchPoint(
         value=place.value,
         state=place.strobed,
-        multipliers=_by_modulus(multipliers),
+        multipliers=multipliers[np.argsort(-abs(multipliers), kind="stable")],
         signature=dict(place.signature),
         events=events,
     )
-
-
-def _by_modulus(multipliers: Complexes) -> Complexes:
-    return multipliers[np.argsort(-abs(multipliers), kind="stable")]
 
 
 def _message(reason: BranchEnd, record: _Record) -> str:

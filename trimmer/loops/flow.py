@@ -228,11 +228,3 @@ def _system_of(subject: Callable[[], Subject], share: float) -> LoopSystem:
     loop = subject()
     assert isinstance(loop, Loop)
     return LoopSystem(loop.interconnection())
-
-
-def instant_in(flow: LoopFlow | Flow, mode: int, extended: Reals) -> Instant:
-    """Return the instant t = 0 at which a loop is in a mode, by its number, with an extended state, (N,)."""
-    state = np.ascontiguousarray(extended[: flow.size])
-    modes = flow.modes
-    zeros = np.zeros((modes.system.part_count, modes.system.action_count), dtype=np.int64)
-    return Instant(state, modes[mode].statuses, 0, 0.0, zeros, np.zeros(0))

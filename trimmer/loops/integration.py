@@ -22,28 +22,26 @@ def followed(
     watched: bool = False,
 ) -> Stretch:
     """Follow the motion of a loop from a mode and an extended state, (n,), for a time, s."""
-    layout = modes.system.layout
-    free = layout.state_count
-    begin = Instant(
-        state=state[:free],
-        statuses=modes[mode].statuses,
-        periods=0,
-        phase=0.0,
-        zeros=np.zeros((modes.system.part_count, modes.system.action_count), dtype=np.int64),
-        negligible=np.zeros(0),
-    )
     return advance(
         modes,
-        begin,
+        instant_in(modes, mode, state),
         1,
         duration,
         True,
         most_steps,
-        forcing=state[free:],
+        forcing=state[modes.system.layout.state_count :],
         most_events=most_events,
         exact=True,
         watched=watched,
     )
+
+
+def instant_in(modes: Modes[Any], mode: int, extended: Reals) -> Instant:
+    """Return the instant t = 0 at which a loop is in a mode, by its number, with an extended state, (N,)."""
+    system = modes.system
+    state = np.ascontiguousarray(extended[: system.layout.state_count])
+    zeros = np.zeros((system.part_count, system.action_count), dtype=np.int64)
+    return Instant(state, modes[mode].statuses, 0, 0.0, zeros, np.zeros(0))
 
 
 def renumbered(log: Log, modes: Modes[Any], others: LoopModes) -> Log:

@@ -15,7 +15,7 @@ from trimmer.maps.by_itself import CameTo, begins_alike, came_to, came_to_in_loo
 from trimmer.maps.cell_motion import CellMotion, same_motion
 from trimmer.maps.inputs import Settings, varied
 from trimmer.maps.measures import chosen, of_lines, of_orbit, of_window
-from trimmer.maps.settle import Settled, on_orbit, orbit_near, settle
+from trimmer.maps.settle import Settled, on_orbit, settle
 from trimmer.mechanism.coordinates import radius_of
 from trimmer.mechanism.kinds import Kind
 from trimmer.mechanism.mechanism import Mechanism
@@ -27,6 +27,7 @@ from trimmer.response.flows import flow_of, is_silent
 from trimmer.response.periodic.orbit import Orbit
 from trimmer.response.periodic.shooting import sizes_of
 from trimmer.response.results.response import MotionKind
+from trimmer.response.settling.settling import orbit_near
 from trimmer.response.without_events.linear_lines import LinearLines
 from trimmer.response.without_events.linear_motion import LinearMotion
 
@@ -84,12 +85,12 @@ class CellWork:
         try:
             flow = flow_of(varied(self.subject, self.places, cell.values))
             starts = _starts(flow, cell, self.settings)
+            if is_silent(flow.subject):
+                return CellResult(cell.number, _searched(flow, self.settings))
         except (TrimmerError, ArithmeticError, np.linalg.LinAlgError) as error:
             return CellResult(cell.number, (_failed(error),))
         motions: list[CellMotion] = []
         keys = self.settings.measures
-        if is_silent(flow.subject):
-            return CellResult(cell.number, _searched(flow, self.settings))
         for states in cell.orbits:
             _add(motions, _motion(flow, partial(_near, flow, np.array(states), self.settings), keys))
         for start in starts:
@@ -102,13 +103,10 @@ class CellWork:
 
 def _searched(flow: Flow, settings: Settings) -> tuple[CellMotion, ...]:
     """Return the stable motions of a loop that rests where it begins."""
-    try:
-        motions: list[CellMotion] = []
-        for each in came_to_in_loop(flow):
-            _add(motions, _told(flow, each, settings))
-        return tuple(motions)
-    except (TrimmerError, ArithmeticError, np.linalg.LinAlgError) as error:
-        return (_failed(error),)
+    motions: list[CellMotion] = []
+    for each in came_to_in_loop(flow):
+        _add(motions, _told(flow, each, settings))
+    return tuple(motions)
 
 
 def _by_itself(flow: Flow, start: Instant, settings: Settings) -> CellMotion:
@@ -142,7 +140,7 @@ def _settled(flow: Flow, start: Instant, settings: Settings) -> Settled:
 def _near(flow: Flow, states: Reals, settings: Settings) -> Settled:
     """Return the stable orbit near that of another cell, or what a start on that leads to."""
     start = flow.at(states[0])
-    orbit = orbit_near(flow, start, len(states))
+    orbit = orbit_near(flow, start.state, start, len(states))
     if orbit is not None and orbit.stable:
         return on_orbit(orbit, 0)
     return _settled(flow, start, settings)

@@ -7,13 +7,14 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.hybrid.stretch import Ending, Instant
-from trimmer.maps.settle import RETURNING, beside, on_orbit, orbit_near, recurrence, strobed_sizes
+from trimmer.maps.settle import RETURNING, beside, on_orbit, recurrence, strobed_sizes
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures, OutputMeasures
 from trimmer.motion.signals import read
 from trimmer.response.results.response import MotionKind
 from trimmer.response.settling.recurrence import NEAR, has_returned
+from trimmer.response.settling.settling import orbit_near
 
 ORDERS = 10  # Multiples of the drive up to which a spectrum goes
 SAMPLES = 64  # Samples of a drive period, for the spectrum
@@ -50,7 +51,8 @@ def dwell(flow: Flow, begin: Instant, periods: int, before: int = 0) -> tuple[Pl
     first = flow.strobe(begin, periods - half)
     second = flow.strobe(first.end, half) if first.ending is Ending.REACHED_END else first
     if second.ending is not Ending.REACHED_END:
-        return _ended(second.ending), second.end
+        kind = MotionKind.DIVERGING if second.ending is Ending.DIVERGED else MotionKind.UNDECIDED
+        return Plateau(kind, None, 0, {}, {}, 0.0, second.ending), second.end
     states = flow.reduced(np.concatenate([first.states, second.states[1:]]))
     found = _repeating(flow, states, second.end, half)
     kind, count = found or (beside(flow, states, first.end, second.end, half, before).kind, None)
@@ -70,11 +72,6 @@ def dwell(flow: Flow, begin: Instant, periods: int, before: int = 0) -> tuple[Pl
     return Plateau(kind, count, measured, outputs, spectra, speed, course.ending), second.end
 
 
-def _ended(ending: Ending) -> Plateau:
-    kind = MotionKind.DIVERGING if ending is Ending.DIVERGED else MotionKind.UNDECIDED
-    return Plateau(kind, None, 0, {}, {}, 0.0, ending)
-
-
 def _repeating(flow: Flow, states: Reals, end: Instant, half: int) -> tuple[MotionKind, int | None] | None:
     """Return the kind of a motion that repeats, and after how many drive periods; None if it does not.
 
@@ -82,7 +79,7 @@ def _repeating(flow: Flow, states: Reals, end: Instant, half: int) -> tuple[Moti
     the start may still be dying out.
     """
     count, difference = recurrence(states[-1 - half :])
-    orbit = orbit_near(flow, end, count) if difference < RETURNING else None
+    orbit = orbit_near(flow, end.state, end, count) if difference < RETURNING else None
     if orbit is not None:
         apart = abs(states[-1] - flow.reduced(orbit.instant.state)) / orbit.sizes
         neutral = orbit.neutral and has_returned(states, orbit.sizes, orbit.periods)

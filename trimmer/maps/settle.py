@@ -17,11 +17,10 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.motion.flow import Flow
-from trimmer.response.periodic.orbit import Orbit, orbit_of
-from trimmer.response.periodic.shooting import Return, solve
+from trimmer.response.periodic.orbit import Orbit
 from trimmer.response.results.response import MotionKind
 from trimmer.response.settling.recurrence import has_returned, settles_to
-from trimmer.response.settling.settling import MOST_REPEATS, PATIENCE
+from trimmer.response.settling.settling import MOST_REPEATS, orbit_near
 from trimmer.response.settling.solved import rest_of, solved
 from trimmer.response.statistics.growth import OLDER, grows
 from trimmer.response.without_events.linear_motion import LinearMotion, grows_for_ever
@@ -172,7 +171,7 @@ class _Following:
         if difference >= PROGRESS * self.tried and not linear:
             return None
         self.tried = difference
-        orbit = orbit_near(self.flow, self.instant, count)
+        orbit = orbit_near(self.flow, self.instant.state, self.instant, count)
         if orbit is not None and orbit.stable:
             self.known.append(orbit)
         elif orbit is not None and orbit.neutral and has_returned(self.states, orbit.sizes, orbit.periods):
@@ -184,20 +183,6 @@ def on_orbit(orbit: Orbit, periods: int) -> Settled:
     """Return a motion that has settled to an orbit after some drive periods: one that repeats, or rests."""
     kind = MotionKind.PERIODIC if rest_of(orbit) is None else MotionKind.REST
     return Settled(kind, periods, orbit.instant, orbit)
-
-
-def orbit_near(flow: Flow, instant: Instant, periods: int) -> Orbit | None:
-    """Return the orbit near an instant that closes after some drive periods, over as few as it needs."""
-    while True:
-        shot = solve(Return(flow, periods), flow.at(instant.state, like=instant), patience=PATIENCE)
-        if shot is None:
-            return None
-        orbit = orbit_of(flow, shot, periods)
-        if not orbit.success:
-            return None
-        if orbit.period_count == periods:
-            return orbit
-        instant, periods = orbit.instant, orbit.period_count
 
 
 def recurrence(states: Reals) -> tuple[int, float]:

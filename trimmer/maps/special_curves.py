@@ -114,15 +114,9 @@ class _CurveSearch:
             yield point, SpecialCurve((up,) if up.reason is LocusEnd.CLOSED else (up, down))
 
 
-def _with_parted(branch: FollowedBranch) -> Iterator[FollowedBranch]:
-    yield branch
-    for each in branch.branches:
-        yield from _with_parted(each)
-
-
 def _points(line: Line) -> Iterator[tuple[FollowedBranch, SpecialPoint]]:
     for begun in line.branches:
-        for branch in _with_parted(begun):
+        for branch in begun.all():
             yield from ((branch, point) for point in branch.special)
 
 

@@ -14,7 +14,8 @@ from trimmer.balance.many_harmonics.feedback import feedback_balance
 from trimmer.balance.solve import CALLER, limit_cycles
 from trimmer.errors import OrbitNotFoundWarning, WrongTypeError
 from trimmer.loops import ClosedLoop, Feedback
-from trimmer.loops.flow import LoopFlow, instant_in
+from trimmer.loops.flow import LoopFlow
+from trimmer.loops.integration import instant_in
 from trimmer.orbits.balanced_start import balanced_starts, starts_of_motion
 from trimmer.orbits.describe import orbit_of_loop
 from trimmer.orbits.distinct import closed, collapsed, same, shortest
@@ -225,5 +226,6 @@ def _warn(start: str) -> None:
 
 def _shot(loop: ClosedLoop | Feedback, start: Start, omega: float) -> tuple[Return, Shot] | None:
     problem = Return(LoopFlow(loop), 0, mirrored=True, alike=True)
-    shot = closed(problem, instant_in(problem.flow, start.mode, start.state), math.pi / omega, start.sizes)
+    begin = instant_in(problem.flow.modes, start.mode, start.state)
+    shot = closed(problem, begin, math.pi / omega, start.sizes)
     return None if shot is None or collapsed(shot, start.sizes) else (problem, shot)

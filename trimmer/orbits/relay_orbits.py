@@ -8,7 +8,8 @@ from trimmer.loops.components.of_elements import RigidComponent, ViscousComponen
 from trimmer.loops.components.relay_component import PLUS, RelayComponent
 from trimmer.loops.components.switched_component import Component
 from trimmer.loops.components.threshold_component import POSITIVE, ThresholdComponent
-from trimmer.loops.flow import LoopFlow, instant_in
+from trimmer.loops.flow import LoopFlow
+from trimmer.loops.integration import instant_in
 from trimmer.loops.loops import ClosedLoop
 from trimmer.orbits.describe import orbit_of_loop
 from trimmer.orbits.distinct import closed, shortest
@@ -104,7 +105,7 @@ def _orbit(loop: ClosedLoop, positive: float, negative: float | None, start: Rea
     sizes[sizes == 0.0] = 1.0
     problem = Return(LoopFlow(loop), 0, mirrored=negative is None, alike=True)
     span, sizes = positive if negative is None else positive + negative, sizes[: layout.state_count]
-    trial = problem.shoot(instant_in(problem.flow, number, states[PARTS // 2]), span, sizes)
+    trial = problem.shoot(instant_in(problem.flow.modes, number, states[PARTS // 2]), span, sizes)
     if trial is None or not trial.miss <= CLOSE:
         return None
     shot = closed(problem, trial.course.begin, trial.duration, sizes)

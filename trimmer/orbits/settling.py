@@ -13,8 +13,8 @@ from trimmer.hybrid.stretch import Ending
 from trimmer.hybrid.variation import propagator
 from trimmer.hybrid.work import Log
 from trimmer.loops import ClosedLoop, Feedback
-from trimmer.loops.flow import LoopFlow, instant_in
-from trimmer.loops.integration import followed
+from trimmer.loops.flow import LoopFlow
+from trimmer.loops.integration import followed, instant_in
 from trimmer.motion.part import mirrored as mirrored_statuses
 from trimmer.orbits.describe import orbit_of_loop
 from trimmer.orbits.distinct import closed, collapsed, same, shortest
@@ -150,7 +150,7 @@ def _polished(loop: ClosedLoop | Feedback, turn: Turn) -> tuple[Return, Shot] | 
     whole = 2.0 * turn.span if turn.mirrored else turn.span
     trials.append((replace(symmetric, mirrored=False), whole))
     for problem, span in trials:
-        shot = closed(problem, instant_in(problem.flow, turn.mode, turn.state), span, sizes, PATIENCE)
+        shot = closed(problem, instant_in(problem.flow.modes, turn.mode, turn.state), span, sizes, PATIENCE)
         if shot is not None:
             return problem, shot
     return None

@@ -45,7 +45,7 @@ def followed(search: Search, track: Track, sign: float, settings: LocusSettings)
             track.points.append(point)
             restart(search, track)
             bar.update()
-            if not search.inside(point.values) or _at_border(point):
+            if not search.inside(point.values) or (abs(point.values - 0.5) >= 0.5 - 1e-12).any():
                 return LocusEnd.LEFT
             if _closed(track.points):
                 return LocusEnd.CLOSED
@@ -58,10 +58,6 @@ def _next_length(points: Sequence[LocusPoint], wanted: float, settings: LocusSet
     before, last = points[-2:]
     share = float(np.linalg.norm(last.values - before.values)) / apart(before, last.values, last.state)
     return min(wanted, LARGEST_MOVE, settings.largest_step / max(share, 1e-300))
-
-
-def _at_border(point: LocusPoint) -> bool:
-    return bool((abs(point.values - 0.5) >= 0.5 - 1e-12).any())
 
 
 def _step(search: Search, track: Track, sign: float, length: float) -> tuple[LocusPoint, float] | None:

@@ -298,9 +298,6 @@ def _smallest(flow: Flow, shot: Shot, periods: int) -> int:
         return 1
     strobed = shot.course.states(np.arange(periods, dtype=np.float64) * flow.period)[:, : flow.size]
     apart = abs((strobed - strobed[0]) / shot.sizes).max(axis=1)
-    counts = range(flow.modes.system.layout.recurrence, periods + 1, flow.modes.system.layout.recurrence)
-    return next(each for each in counts if each == periods or _divides(each, periods, apart))
-
-
-def _divides(count: int, periods: int, apart: Reals) -> bool:
-    return periods % count == 0 and bool(apart[count] < SAME)
+    together = flow.modes.system.layout.recurrence
+    divisors = (each for each in range(together, periods + 1, together) if periods % each == 0)
+    return next(each for each in divisors if each == periods or apart[each] < SAME)

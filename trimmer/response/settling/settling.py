@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -73,7 +73,7 @@ class Settling:
         while self.periods < most_periods:
             if not self.follow(min(block, most_periods - self.periods)):
                 return None
-            orbit = self._accepted(self.known)
+            orbit = next((each for each in self.known if settles_to(each, self.states)), None)
             if orbit is None and self.periods >= look:
                 orbit, look = self._looked_for(), self.periods + min(self.periods, longest)
             if orbit is None and self._quiet:
@@ -106,9 +106,6 @@ class Settling:
             return None
         return next((each for each in self.known if 0.5 <= approach(each, strobe.states) <= 2.0), None)
 
-    def _accepted(self, orbits: Sequence[Orbit]) -> Orbit | None:
-        return next((orbit for orbit in orbits if settles_to(orbit, self.states)), None)
-
     def _is_near(self) -> bool:
         """Return whether the last state is near a stable orbit that is known."""
         last = self.states[-1]
@@ -136,7 +133,7 @@ class Settling:
             # A motion that winds around an orbit for long comes near itself late, but has it in its middle.
             tried.append((together, alike[len(alike) // 2 :].mean(axis=0)))
         for periods, state in tried:
-            orbit = self._orbit(periods, state)
+            orbit = orbit_near(self.flow, state, self.instant, periods)
             if orbit is None:
                 continue
             if (orbit.stable or orbit.neutral) and has_returned(self.states, sizes, periods):
@@ -151,21 +148,27 @@ class Settling:
         """Return where it rests, if nothing moves."""
         return sampled_rest(self.flow, self.instant, sizes_of(self.flow.course(self.instant, 1)))
 
-    def _orbit(self, periods: int, state: Reals) -> Orbit | None:
-        """Return the orbit that Newton's method finds from a state, over its smallest number of periods."""
-        start = self.flow.at(state, like=self.instant)
-        together = self.flow.modes.system.layout.recurrence
-        for count in (each for each in _counts(periods) if each % together == 0):
-            shot = solve(Return(self.flow, count), start, patience=PATIENCE)
-            if shot is None:
-                return None
-            orbit = orbit_of(self.flow, shot, count)
-            if not orbit.success or orbit.period_count == count:
-                break
-            start = orbit.instant
-        else:
+
+def orbit_near(flow: Flow, state: Reals, like: Instant, periods: int) -> Orbit | None:
+    """Return the orbit near a state that closes after some drive periods, over as few as it needs.
+
+    Args:
+        flow: What moves.
+        state: Near the start of a period of the orbit, (n,).
+        like: An instant whose statuses hold there too.
+        periods: Drive periods after which it may close.
+    """
+    begin = flow.at(state, like=like)
+    while True:
+        shot = solve(Return(flow, periods), begin, patience=PATIENCE)
+        if shot is None:
             return None
-        return orbit if orbit.success else None
+        orbit = orbit_of(flow, shot, periods)
+        if not orbit.success:
+            return None
+        if orbit.period_count == periods:
+            return orbit
+        begin, periods = orbit.instant, orbit.period_count
 
 
 def orbit_from_rest(subject: Subject, most_periods: int) -> Orbit | None:
@@ -180,11 +183,6 @@ def orbit_from_rest(subject: Subject, most_periods: int) -> Orbit | None:
     """
     flow = known_flow_of(subject)
     return Settling(flow, flow.rest()).until_settled(most_periods)
-
-
-def _counts(periods: int) -> Iterator[int]:
-    yield periods
-    yield from (each for each in range(periods - 1, 0, -1) if periods % each == 0)
 
 
 def _listed(orbit: Orbit, known: Sequence[Orbit]) -> bool:

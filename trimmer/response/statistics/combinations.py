@@ -1,6 +1,6 @@
 """The lines of a motion on a torus: sums of multiples of the drive and of a frequency of its own."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 MOST_OWN = 6  # Multiple of the motion's own frequency up to which a line is named
 OFF = 0.1
@@ -34,7 +34,7 @@ def _named(frequency: float, drive: float, own: float, resolution: float) -> tup
     return next(
         (
             name
-            for j in _from_zero(MOST_OWN)
+            for j in sorted(range(MOST_OWN, -MOST_OWN - 1, -1), key=abs)
             if (name := _sum(frequency, drive, own, j, resolution)) is not None
         ),
         None,
@@ -45,9 +45,3 @@ def _sum(frequency: float, drive: float, own: float, j: int, resolution: float) 
     i = round((frequency - j * own) / drive)
     off = abs(frequency - i * drive - j * own)
     return (i, j) if off <= OFF * (1 + abs(j)) * resolution else None
-
-
-def _from_zero(most: int) -> Iterable[int]:
-    yield 0
-    for size in range(1, most + 1):
-        yield from (size, -size)
