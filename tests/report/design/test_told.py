@@ -1,11 +1,18 @@
 """The report on a design tells what it told: ``told.py`` says what is kept of it and renews it."""
 
 from report.design.report import DesignReport
-from tests.report.design.told import TOLD, told
+from tests.report.design.told import DRAWN, TOLD, diagrams, told
 from tests.trimmer.command_line.alike import alike
 
 
-def test_the_report_tells_what_it_told(report: DesignReport) -> None:
-    kept, found = TOLD.read_text("utf-8").splitlines(), told(report).splitlines()
+def assert_alike(kept: list[str], found: list[str]) -> None:
     assert [pair for pair in zip(kept, found, strict=False) if not alike(*pair)] == []
     assert len(found) == len(kept)
+
+
+def test_the_report_tells_what_it_told(report: DesignReport) -> None:
+    assert_alike(TOLD.read_text("utf-8").splitlines(), told(report).splitlines())
+
+
+def test_machines_are_drawn_as_they_were() -> None:
+    assert_alike(DRAWN.read_text("utf-8").splitlines(), diagrams().splitlines())
