@@ -1,7 +1,17 @@
 """The report on a design tells what it told: ``told.py`` says what is kept of it and renews it."""
 
+import pytest
+
 from report.design.report import DesignReport
-from tests.report.design.told import DRAWN, TOLD, diagrams, told
+from tests.report.design.told import (
+    DRAWN,
+    TOLD,
+    WITHOUT_DRIVE,
+    diagrams,
+    kept_without_drive,
+    told,
+    without_drive,
+)
 from tests.trimmer.command_line.alike import alike
 
 
@@ -16,3 +26,8 @@ def test_the_report_tells_what_it_told(report: DesignReport) -> None:
 
 def test_machines_are_drawn_as_they_were() -> None:
     assert_alike(DRAWN.read_text("utf-8").splitlines(), diagrams().splitlines())
+
+
+@pytest.mark.parametrize("name", WITHOUT_DRIVE)
+def test_what_moves_without_a_drive_is_told_as_it_was(name: str) -> None:
+    assert_alike(kept_without_drive()[name].splitlines(), without_drive(name).splitlines())

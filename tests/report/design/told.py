@@ -4,18 +4,24 @@
 """
 
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 from report.cache.stage_store import StageStore
 from report.design.building import report_on
 from report.design.diagram.diagram import mechanism_diagram
 from report.design.markdown import to_markdown
+from report.design.origin import origin_of
 from report.design.report import DesignReport
 from report.pages.drawing.style import style
 from tests.report.design.conftest import look
 from tests.report.figures import told as figures
 from tests.report.markdown_lines import markdown_lines
-from trimmer import Mechanism
+from tests.trimmer.servos import SAMPLED, STICTION
+from trimmer import Mechanism, SerialRunner
+from trimmer.design import DesignSettings, Study
+from trimmer.design.specification.design_file import design_file_of_text
 
 TOLD = Path(__file__).with_name("told.txt")
 DRAWN = Path(__file__).with_name("diagrams.txt")
@@ -28,6 +34,31 @@ def told(report: DesignReport) -> str:
     return markdown_lines(to_markdown(report), without="provenance")
 
 
+WITHOUT_DRIVE: Mapping[str, str] = MappingProxyType(
+    {
+        "hunts": STICTION + "[targets]\nhunting_at_most = 0\nrise_time_at_most = '20 ms'\n",
+        "rests": SAMPLED,
+        "switches": (EXAMPLES / "contactor.toml").read_text("utf-8"),
+    }
+)
+"""Files of machines of which the short report is kept."""
+SHORT = Path(__file__).with_name("without_drive.txt")
+
+
+def without_drive(name: str) -> str:
+    """Return what the short report tells of a machine without a drive, all but its equations."""
+    file = design_file_of_text(WITHOUT_DRIVE[name], f"{name}.toml")
+    design = Study(file, DesignSettings(cells=2), SerialRunner()).short()
+    report = DesignReport(name, {}, origin_of([file], "2026-01-01"), design, None)
+    return told(report).partition("# equations")[0]
+
+
+def kept_without_drive() -> dict[str, str]:
+    """Return what is kept of them."""
+    pieces = (each.partition("\n") for each in SHORT.read_text("utf-8").split("== ")[1:])
+    return {name: text for name, _, text in pieces}
+
+
 def diagrams() -> str:
     """Return what is drawn of machines, line by line."""
     with style():
@@ -37,6 +68,7 @@ def diagrams() -> str:
 
 def _renew() -> None:
     DRAWN.write_text(diagrams(), "utf-8")
+    SHORT.write_text("".join(f"== {name}\n{without_drive(name)}" for name in WITHOUT_DRIVE), "utf-8")
     with tempfile.TemporaryDirectory() as folder:
         store = StageStore(Path(folder))
         TOLD.write_text(told(report_on(look(store), store, "2026-03-01")), "utf-8")
