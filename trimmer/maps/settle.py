@@ -17,6 +17,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.motion.flow import Flow
+from trimmer.motion.time_scale import is_brief
 from trimmer.response.periodic.orbit import Orbit
 from trimmer.response.results.response import MotionKind
 from trimmer.response.settling.recurrence import has_returned, settles_to
@@ -213,6 +214,8 @@ def beside(flow: Flow, every: Reals, begin: Instant, end: Instant, compared: int
     kind, exponent = _compared(states, distances)
     if grows(flow, end, states, before + periods):
         return Settled(MotionKind.DIVERGING, OLDER * (before + periods), end)
+    if kind is MotionKind.TORUS and is_brief(flow, periods * flow.period):
+        kind = MotionKind.UNDECIDED
     follows = exponent is not None and exponent < 0 and not flow.modes.system.layout.recurrence
     if follows and kind is MotionKind.UNDECIDED:
         kind = MotionKind.TORUS

@@ -13,12 +13,15 @@ if TYPE_CHECKING:
     from trimmer.motion.flow import Flow
 
 NEGLIGIBLE = 1e-9  # Share of the largest eigenvalue below which another one is that of a state that stays
+LONG = 8  # Periods of the slowest mode in which it shows what it comes to
 ROUNDING = 64 * float(np.finfo(float).eps)
 """Share of each entry by which rounding changes a matrix; its condition carries a zero eigenvalue so far."""
 
 
-def slowest_period(matrix: Reals) -> float:
+def slowest_period(matrix: Reals, *, growing: bool = True) -> float:
     """Return the period of the slowest mode of a flow of states, (n, n), s; 0 if nothing moves.
+
+    Unless ``growing``, those are left out that grow more than they swing.
 
     What stays makes eigenvalues that are zero together, as a place and a velocity that stick do. Rounding
     parts these by its root: each is held against its condition (Golub, Van Loan, Matrix Computations, 7.2).
@@ -29,6 +32,8 @@ def slowest_period(matrix: Reals) -> float:
     moduli, angles = abs(values), abs((left.conj() * right).sum(axis=0))
     moving = moduli > NEGLIGIBLE * moduli.max()
     moving &= moduli * angles > ROUNDING * (abs(left) * (abs(matrix) @ abs(right))).sum(axis=0)
+    if not growing:
+        moving &= values.real <= abs(values.imag)
     return float(2 * np.pi / moduli[moving].min(initial=np.inf))
 
 
@@ -36,3 +41,17 @@ def time_scale(flow: Flow, instant: Instant) -> float:
     """Return the period of the slowest mode of the motion at an instant, s; 1 s if nothing moves."""
     mode = flow.modes[flow.modes.number(instant.statuses)]
     return slowest_period(mode.flow[: flow.size, : flow.size]) or 1.0
+
+
+def slowest_met(flow: Flow) -> float:
+    """Return the period of the slowest mode that was met and does not just grow, s; 0 if there is none."""
+    met = (flow.modes[number].flow for number in range(len(flow.modes.statuses)))
+    return max(slowest_period(each[: flow.size, : flow.size], growing=False) for each in met)
+
+
+def is_brief(flow: Flow, duration: float) -> bool:
+    """Say whether a time, s, is less than ``LONG`` periods of the slowest mode that was met.
+
+    What moves so slowly may seem to grow, or to swing about something, that has only not yet come back.
+    """
+    return duration < LONG * slowest_met(flow)

@@ -8,7 +8,7 @@ import pytest
 
 from tests.mechanisms.random_mechanisms import random_mechanism
 from tests.quick import quick
-from tests.trimmer.response.mechanisms import body
+from tests.trimmer.response.mechanisms import body, example
 from trimmer import (
     ClosedLoop,
     Mechanism,
@@ -237,3 +237,13 @@ def test_what_explodes_is_told_to_by_all_that_ask(seconds: float, frequency: flo
         swept = sweep(machine, place, 1.0, 1.1, steps=2, periods=8, quiet=True)
         assert [point.motion.kind for point in swept.points] == [MotionKind.DIVERGING]
         assert swept.jumps == ()
+
+
+def test_what_sticks_for_many_drive_periods_does_not_diverge() -> None:
+    """A belt carries a pad along until its spring tears it off, some 12 s later."""
+    fast = replace(example("brake-squeal"), frequency=2000.0, forces={"hum": Force("pad", amplitude=0.1)})
+    told = respond(fast)
+    assert told.kind is MotionKind.UNDECIDED
+    assert "Its slowest mode takes 12566 drive periods, so that this was brief" in told.message
+    (cell,) = motion_map(fast, {"frequency": [700.0]}, quiet=True).kind.ravel()
+    assert cell is MotionKind.UNDECIDED

@@ -9,6 +9,7 @@ import numpy as np
 
 from trimmer.hybrid.stretch import Ending
 from trimmer.mechanism.drives import RETURNS, told_of_drives
+from trimmer.motion.time_scale import is_brief, slowest_met
 from trimmer.response.periodic.pace import pace_of, period_word, periods_of
 from trimmer.response.results.response import MotionKind, SettledMotion
 from trimmer.response.statistics.growth import OLDER, grows
@@ -177,6 +178,9 @@ def _told(seen: SeenMotion, waited: int, agrees: bool | None) -> str:
             f" Chaos over {periods_of(seen.flow.subject, waited + seen.window.periods)} may still be a "
             "transient that ends."
         )
+    if seen.kind is MotionKind.UNDECIDED and is_brief(seen.flow, waited * seen.flow.period):
+        slowest = periods_of(seen.flow.subject, round(slowest_met(seen.flow) / seen.flow.period))
+        told += f" Its slowest mode takes {slowest}, so that this was brief: --periods waits longer."
     if agrees is None:
         return told
     return told + f" A start a little beside this one {'does not settle either' if agrees else 'settles'}."

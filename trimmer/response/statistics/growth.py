@@ -15,6 +15,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.motion.flow import Flow
+from trimmer.motion.time_scale import is_brief
 
 BLOCK = 32
 """Drive periods over which the size of a motion is taken."""
@@ -46,7 +47,7 @@ def grows(flow: Flow, end: Instant, states: Reals, age: int) -> bool:
     first, last = state_sizes(flow, states[:block]), state_sizes(flow, states[-block:])
     expected = 1 + SUSPECT * (age / younger - 1)
     growing = (first > 0) & (last >= expected * first)
-    if not growing.any() or flow.is_bounded:
+    if not growing.any() or flow.is_bounded or is_brief(flow, OLDER * age * flow.period):
         return False
     course = flow.course(end, 1)
     within = flow.reduced(course.states(np.linspace(0.0, course.duration, BLOCK))[:, : flow.size])
