@@ -253,9 +253,13 @@ def _branches(design: Design) -> Iterator[Figure]:
 
 
 def curves_of(design: Design) -> list[Curve]:
-    """Return what is drawn along branches: what missed targets bound, then others, then the first output."""
+    """Return what is drawn along branches: what missed targets bound, then others, then the first output.
+
+    What targets of a step bound is of the way to a motion, and not of it.
+    """
     missed = design.verdict.missed
-    targets = [each for each in design.file.targets if each.measure is not Measure.PERIOD]
+    bounded = () if design.file.stepped else design.file.targets
+    targets = [each for each in bounded if each.measure is not Measure.PERIOD]
     ordered = sorted(targets, key=lambda each: each not in missed)
     wanted = [each for each in ordered if each in missed][:2] or ordered[:1]
     found: list[Curve] = [

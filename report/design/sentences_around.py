@@ -79,6 +79,8 @@ def _ended(side: PathSide) -> str:
         return SPECIAL[side.losing]
     if side.reason is BranchEnd.TORN:
         return "the motion jumps"
+    if side.reason is BranchEnd.INFINITE_PERIOD:
+        return "its period grows without bound"
     return "the motion becomes unstable, or could not be followed further"
 
 

@@ -271,10 +271,12 @@ class Study:
 
     def paths(self, motions: Motions, varied: tuple[VariedNumber, ...]) -> tuple[NumberPath, ...]:
         """Return the branch through the working point over each number."""
-        first = motions.first
-        if first is None or not first.repeats or first.neutral or self.file.mechanism.frequency is None:
+        first, file = motions.first, self.file
+        if first is None or not first.repeats or first.neutral or file.switched:
             return ()
-        mechanism, most, keys = self.file.mechanism, self.settings.most_points, keys_of(self.file.targets)
+        # What targets of a step bound is of the way to the motion.
+        keys = () if file.stepped else keys_of(file.targets)
+        mechanism, most = file.mechanism, self.settings.most_points
 
         def make(over: VariedNumber) -> Callable[[TimedRunner], NumberPath]:
             return lambda runner: path_through(mechanism, over, first, most, runner.deadline, keys=keys)

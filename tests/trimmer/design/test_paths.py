@@ -5,8 +5,10 @@ import pytest
 
 from tests.trimmer.design.made import motion, oscillator, oscillator_amplitude
 from trimmer.branches import BranchEnd, SpecialKind
-from trimmer.design import NumberRole, PathSide, SpecialOnPath, VariedNumber
+from trimmer.design import DesignSettings, NumberRole, PathSide, SpecialOnPath, Study, VariedNumber
 from trimmer.design.parameter_studies.paths import path_through
+from trimmer.design.specification.design_file import design_file_of_text
+from trimmer.examples import example_text
 
 
 def special(kind: SpecialKind, value: float) -> SpecialOnPath:
@@ -81,6 +83,18 @@ def test_the_orbits_of_an_oscillator_are_those_of_its_formula() -> None:
         expected = [2 * oscillator_amplitude(float(each)) for each in found.values]
         assert found.stroke["block"] == pytest.approx(expected, rel=1e-9)
         assert found.stroke["double"] == pytest.approx(2 * np.array(expected), rel=1e-9)
+
+
+def test_the_strokes_of_a_block_on_a_belt_are_those_of_its_formula() -> None:
+    """It begins as fast as the belt where k q is the static force, and swings about where it is the kinetic."""
+    block = design_file_of_text(example_text("block-on-belt"), "block-on-belt")
+    study = Study(block, DesignSettings(starts=1, most_points=120))
+    belt, rubbing = study.paths(found := study.motions(), study.varied(found))
+    for path, differ in ((belt, lambda v: (v, 0.5)), (rubbing, lambda kinetic: (0.2, 1.0 - kinetic))):
+        for side in (path.down, path.up):
+            assert side is not None and side.stable[:-1].all() and len(side.values) > 20
+            stroke = [2 * float(np.hypot(*differ(each))) for each in side.values.tolist()]
+            assert side.stroke["block"] == pytest.approx(stroke, rel=1e-9)
 
 
 @pytest.mark.parametrize(("lowest", "highest", "there"), [(20.0, 20.5, "up"), (19.5, 20.0, "down")])

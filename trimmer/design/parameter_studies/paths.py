@@ -10,10 +10,11 @@ from trimmer.branches import BranchEnd, FollowedBranch, FollowedOrbit, FollowSet
 from trimmer.branches.follow import follow
 from trimmer.deadline import NEVER, Deadline
 from trimmer.design.analysis.found_motion import FoundMotion
-from trimmer.design.varied_places import VariedNumber
+from trimmer.design.varied_places import NumberRole, VariedNumber
 from trimmer.mechanism.mechanism import Mechanism
 
 LARGEST_STEP = 0.02  # Largest change of the number between two orbits, as a share of one side of the range
+CELLS = 24  # Share of the range of a gain above zero at which its branch ends
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,7 +115,7 @@ class NumberPath:
 
     Attributes:
         varied: The number.
-        periods: Drive periods after which its motions repeat.
+        periods: Drive periods after which its motions repeat; 1 without a drive.
         down, up: To smaller and to larger values; None where the range ends at the working point.
     """
 
@@ -140,8 +141,11 @@ def path_through(
 ) -> NumberPath:
     """Follow a periodic motion of the working point over one number to both ends of its range."""
     periods = motion.period_count or 1
+    begin = motion.state if motion.driven else np.append(motion.state, motion.period or 0.0)
     sides: list[PathSide | None] = []
-    for end in (varied.lowest, varied.highest):
+    # A gain of nothing may leave no controller.
+    lowest = float(varied.values(CELLS)[0]) if varied.role is NumberRole.GAIN else varied.lowest
+    for end in (lowest, varied.highest):
         if end == varied.value:
             sides.append(None)
             continue
@@ -154,8 +158,9 @@ def path_through(
             bounds=bounds,
             deadline=deadline,
         )
+        counted = periods if motion.driven else None
         branch = follow(
-            mechanism, varied.place, varied.value, end, periods=periods, state=motion.state, settings=settings
+            mechanism, varied.place, varied.value, end, periods=counted, state=begin, settings=settings
         )
         sides.append(_side(branch, end, keys))
     return NumberPath(varied, periods, *sides)
