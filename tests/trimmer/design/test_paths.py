@@ -86,7 +86,7 @@ def test_the_orbits_of_an_oscillator_are_those_of_its_formula() -> None:
 
 
 def test_the_strokes_of_a_block_on_a_belt_are_those_of_its_formula() -> None:
-    """It begins as fast as the belt where k q is the static force, and swings about where it is the kinetic."""
+    """It starts as fast as the belt where k q is the static force, and swings about where it is kinetic."""
     block = design_file_of_text(example_text("block-on-belt"), "block-on-belt")
     study = Study(block, DesignSettings(starts=1, most_points=120))
     belt, rubbing = study.paths(found := study.motions(), study.varied(found))
