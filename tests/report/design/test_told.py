@@ -4,11 +4,13 @@ import pytest
 
 from report.design.report import DesignReport
 from tests.report.design.told import (
+    COMPARED,
     DRAWN,
     TOLD,
     WITHOUT_DRIVE,
     diagrams,
     kept_without_drive,
+    side_by_side,
     told,
     without_drive,
 )
@@ -31,3 +33,7 @@ def test_machines_are_drawn_as_they_were() -> None:
 @pytest.mark.parametrize("name", WITHOUT_DRIVE)
 def test_what_moves_without_a_drive_is_told_as_it_was(name: str) -> None:
     assert_alike(kept_without_drive()[name].splitlines(), without_drive(name).splitlines())
+
+
+def test_two_machines_are_compared_as_they_were() -> None:
+    assert_alike(kept_without_drive()[" and ".join(COMPARED)].splitlines(), side_by_side().splitlines())

@@ -5,13 +5,15 @@
 
 import tempfile
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 from types import MappingProxyType
 
 from report.cache.stage_store import StageStore
 from report.design.building import report_on
+from report.design.comparison import ComparisonReport
 from report.design.diagram.diagram import mechanism_diagram
-from report.design.markdown import to_markdown
+from report.design.markdown import comparison_to_markdown, to_markdown
 from report.design.origin import origin_of
 from report.design.report import DesignReport
 from report.pages.drawing.style import style
@@ -20,7 +22,8 @@ from tests.report.figures import told as figures
 from tests.report.markdown_lines import markdown_lines
 from tests.trimmer.servos import SAMPLED, STICTION
 from trimmer import Mechanism, SerialRunner
-from trimmer.design import DesignSettings, Study
+from trimmer.design import Design, DesignSettings, Study
+from trimmer.design.comparison import compared
 from trimmer.design.specification.design_file import design_file_of_text
 
 TOLD = Path(__file__).with_name("told.txt")
@@ -45,12 +48,28 @@ WITHOUT_DRIVE: Mapping[str, str] = MappingProxyType(
 SHORT = Path(__file__).with_name("without_drive.txt")
 
 
+COMPARED = "hunts", "rests"
+
+
+@cache
+def _short(name: str) -> Design:
+    file = design_file_of_text(WITHOUT_DRIVE[name], f"{name}.toml")
+    return Study(file, DesignSettings(cells=2), SerialRunner()).short()
+
+
 def without_drive(name: str) -> str:
     """Return what the short report tells of a machine without a drive, all but its equations."""
-    file = design_file_of_text(WITHOUT_DRIVE[name], f"{name}.toml")
-    design = Study(file, DesignSettings(cells=2), SerialRunner()).short()
-    report = DesignReport(name, {}, origin_of([file], "2026-01-01"), design, None)
+    design = _short(name)
+    report = DesignReport(name, {}, origin_of([design.file], "2026-01-01"), design, None)
     return told(report).partition("# equations")[0]
+
+
+def side_by_side() -> str:
+    """Return what the report on two of them side by side tells."""
+    before, after = map(_short, COMPARED)
+    origin = origin_of([before.file, after.file], "2026-01-01")
+    report = ComparisonReport("Both", {}, origin, compared(before, after), COMPARED)
+    return markdown_lines(comparison_to_markdown(report)).partition("## What this rests on")[0]
 
 
 def kept_without_drive() -> dict[str, str]:
@@ -68,7 +87,8 @@ def diagrams() -> str:
 
 def _renew() -> None:
     DRAWN.write_text(diagrams(), "utf-8")
-    SHORT.write_text("".join(f"== {name}\n{without_drive(name)}" for name in WITHOUT_DRIVE), "utf-8")
+    short = {name: without_drive(name) for name in WITHOUT_DRIVE} | {" and ".join(COMPARED): side_by_side()}
+    SHORT.write_text("".join(f"== {name}\n{each}" for name, each in short.items()), "utf-8")
     with tempfile.TemporaryDirectory() as folder:
         store = StageStore(Path(folder))
         TOLD.write_text(told(report_on(look(store), store, "2026-03-01")), "utf-8")
