@@ -20,7 +20,7 @@ def frequencies_near(poles: Complexes) -> Reals:
     lowest, highest = np.log(sizes.min(axis=1) / BEYOND), np.log(sizes.max(axis=1) * BEYOND)
     between = np.exp(lowest[:, None] + np.linspace(0.0, 1.0, BETWEEN) * (highest - lowest)[:, None])
     upper = np.take_along_axis(poles, np.argsort(-poles.imag, axis=1), axis=1)[:, : poles.shape[1] // 2]
-    near = np.abs(upper.imag)[:, :, None] + np.abs(upper.real)[:, :, None] * ANGLES
+    near = upper.imag[:, :, None] + np.abs(upper.real)[:, :, None] * ANGLES
     # Of a heavily damped pole some would be negative.
     near = np.maximum(near.reshape(len(poles), -1), between[:, :1])
     return np.sort(np.concatenate([between, near], axis=1), axis=1)
