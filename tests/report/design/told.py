@@ -22,8 +22,7 @@ from tests.report.figures import told as figures
 from tests.report.markdown_lines import markdown_lines
 from tests.trimmer.servos import SAMPLED, STICTION
 from trimmer import Mechanism, SerialRunner
-from trimmer.design import Design, DesignSettings, Study
-from trimmer.design.comparison import compared
+from trimmer.design import Design, DesignSettings, Study, compared
 from trimmer.design.specification.design_file import design_file_of_text
 
 TOLD = Path(__file__).with_name("told.txt")
