@@ -28,14 +28,12 @@ from trimmer.loops.frictions.coupled_relays import CoupledRelays, attracting
 from trimmer.loops.interconnection import Interconnection, StateLayout
 from trimmer.loops.mode import FUNCTIONS_OF_COMPONENT, ComponentChange, LoopFunction, LoopMode, assemble
 
+FURTHER = (EventKind.IMPACT, EventKind.SEPARATION, EventKind.CORNER, EventKind.REST)
 KINDS: Mapping[EventKind, int] = {
     EventKind.STICK: HOLD_BEGUN,
     EventKind.SLIP: HOLD_ENDED,
     EventKind.SWITCH: REVERSED,
-    EventKind.IMPACT: OWN_KINDS,
-    EventKind.SEPARATION: OWN_KINDS + 1,
-    EventKind.CORNER: OWN_KINDS + 2,
-    EventKind.REST: OWN_KINDS + 3,
+    **{kind: number for number, kind in enumerate(FURTHER, OWN_KINDS)},
 }
 """What each kind of event counts as."""
 
@@ -47,7 +45,7 @@ class LoopSystem:
     interconnection: Interconnection
     _assembled: dict[tuple[int, ...], LoopMode] = field(default_factory=dict, init=False, repr=False)
 
-    kind_count = OWN_KINDS + 4  # Number of kinds of events, and of what counts as none
+    kind_count = OWN_KINDS + len(FURTHER)  # Number of kinds of events, and of what counts as none
     action_count = OWN_ACTIONS + FUNCTIONS_OF_COMPONENT
     """Number of actions that event functions of one component can have."""
     decaying_states = np.zeros(0, dtype=np.int64)  # No state decays by itself

@@ -14,10 +14,11 @@ from report.design.pictures import pictures
 from report.design.report import DesignReport
 from report.design.words.phrases import kind_words
 from tests.quick import quick
+from tests.report.design.conftest import TEXT as DESK
 from tests.report.markdown_lines import markdown_lines
 from tests.trimmer.design.test_axis import AXIS
 from tests.trimmer.servos import SAMPLED, STICTION
-from trimmer import Mechanism, SerialRunner, forced_orbit
+from trimmer import Mechanism, SerialRunner, forced_orbit, respond
 from trimmer.design import DesignSettings, Study
 from trimmer.design.analysis.found_motion import of_orbit
 from trimmer.design.analysis.linear import linear_states
@@ -28,7 +29,7 @@ from trimmer.examples import example_text
 
 def told(text: str, is_drawn: bool = False) -> dict[str, str]:
     file = design_file_of_text(text, "mine.toml")
-    study = Study(file, DesignSettings(cells=2), SerialRunner())
+    study = Study(file, DesignSettings(cells=2, starts=1, neighbours=3), SerialRunner())
     design = study.short()
     figures = pictures(design) if is_drawn else {}
     report = DesignReport("Axis", figures, origin_of([file], "2026-01-01"), design, None)
@@ -73,6 +74,16 @@ def test_what_samples_alone_drive_is_told_in_samples() -> None:
     assert "does not repeat and was measured over 96 samples" in pieces["verdict"]
     assert re.search(r"it was followed for [0-9]+ samples\.", pieces["motions"])
     assert not any("drive period" in pieces[name] for name in ("verdict", "motions"))
+
+
+def test_of_chaos_it_is_told_by_what_it_grows() -> None:
+    lively = re.sub('".{,9}60 um"', '"0.8 mm"', DESK.split("[targets]")[0]).replace(
+        "force = 0.8", "force = 0.0"
+    )
+    grown = re.search("grow by the factor ([0-9.]+) per drive period, so that", told(lively)["motions"])
+    exponent = respond(design_file_of_text(lively, "mine.toml").mechanism).motion.lyapunov
+    assert grown and exponent is not None
+    assert float(grown[1]) == pytest.approx(math.exp(exponent.value), rel=0.1)
 
 
 def test_lines_of_what_samples_alone_drive_are_told_by_them() -> None:
