@@ -100,6 +100,7 @@ def test_what_is_no_finite_number_is_refused(number: object) -> None:
         ({"bodies": {"": Body(1.0)}}, "a name must be text on one line"),
         ({"bodies": BODIES, "links": {"l": Friction(("a", "b"), 1.0)}}, r"give a trimmer\.mechanism\.Link"),
         ({"bodies": BODIES, "pins": {"p": Pin(3)}}, "name a body"),
+        ({"bodies": BODIES, "outputs": {"y": Output(4)}}, r"y = .*: give a trimmer\.mechanism\.Output with"),
         ({"bodies": BODIES, "outputs": {"y": Output({"a": "1"})}}, r"outputs\.y\.a = '1': give a number"),
         (
             {"bodies": BODIES, "outputs": {"y": Output({"a": 1}, "rate")}},

@@ -90,30 +90,6 @@ def test_each_field_of_a_part_is_looked_at(section: str, part: object, wrong: li
     assert sorted(places(**{section: {name: part}})) == sorted(f"{section}.{name}.{each}" for each in wrong)
 
 
-def test_sections_of_another_kind_are_told_with_the_rest() -> None:
-    found = places(links={"l": 3, "k": Link(("a", 1))}, plays={"p": Stop(("a", "b"))}, start=3, outputs=4)
-    assert found == ["links.l", "links.k.between", "plays.p", "outputs", "start"]
-    outputs = {"u": 3, "v": Output(4), "w": Output({"a": math.nan, "b": 1}), "x": Output({"a": None})}
-    assert places(outputs=outputs) == ["outputs.u", "outputs.v", "outputs.w.a", "outputs.x.a"]
-
-
-def test_names_are_unique_and_stand_for_what_is_there() -> None:
-    pins = {"a": Pin("x"), "ground": Pin("a"), "p": Pin("y")}
-    assert places(bodies={"a": A, "ground": B}, pins=pins) == [
-        *("bodies.ground", "pins.ground", "pins.a", "pins.ground")
-    ]
-    pins = {"p": Pin("a"), "q": Pin("ground"), "r": Pin("p"), "s": Pin("c")}
-    forces = {"f": Force("a"), "g": Force("p"), "h": Force("ground"), "i": Force("c")}
-    assert places(pins=pins, forces=forces) == [
-        *("pins.r.on", "pins.s.on", "forces.g.on", "forces.h.on", "forces.i.on")
-    ]
-    outputs = {"u": Output({"a": 1.0, "p": -1.0}), "v": Output({}), "w": Output({"ground": 2.0, "x": 3.0})}
-    start = {"a": (0.0, 0.0), "p": (1.0, 0.0), "x": (2.0, 0.0)}
-    assert places(pins={"p": Pin("a")}, outputs=outputs, start=start) == [
-        *("outputs.v", "outputs.w.ground", "outputs.w.x", "start.p", "start.x")
-    ]
-
-
 def test_outputs_are_of_one_kind_and_their_names_are_free() -> None:
     loose = {"u": Output(kind="speed"), "v": Output({"a": 1.0}, "force", "mount"), "w": Output(kind="force")}
     assert places(outputs=loose) == ["outputs.u.kind", "outputs.v", "outputs.w.force"]
@@ -128,20 +104,6 @@ def test_outputs_are_of_one_kind_and_their_names_are_free() -> None:
     (sentence,) = told(bodies=bodies, links=links, outputs={"u": Output({"force": 1.0})})
     assert "with the one key 'force' it is no displacement" in sentence
     assert told(outputs={"u": force, "v": speed}) == []
-
-
-def test_every_body_is_touched_by_something() -> None:
-    parts = {
-        "bodies": {name: Body(1.0) for name in "abcdefg"},
-        "pins": {"p": Pin("e"), "g1": Pin("ground")},
-        "plays": {"p": Play(("b", "c"))},
-        "frictions": {"r": Friction(("g1", "d"), 1.0)},
-        "stops": {"s": Stop(("p", "g1"))},
-        "forces": {"w": Force("f", 1.0)},
-    }
-    assert places(**parts) == ["bodies.g"]
-    # What is wrong otherwise may be what would have touched it.
-    assert places(**parts, start={"x": (0.0, 0.0)}) == ["start.x"]
 
 
 def test_what_moves_by_a_wave_needs_a_frequency() -> None:
