@@ -1,13 +1,11 @@
 """Events at one instant: multipliers of loops and derivatives along branches, asked from outside."""
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from trimmer import Body, Drive, Force, Friction, Link, Mechanism, Play, Stop, forced_orbit, respond, simulate
-from trimmer.branches.period_maps.driven_map import DrivenMap
+from trimmer import Drive, forced_orbit, simulate
 from trimmer.elements import CoulombFriction
 from trimmer.thesis import BodyFriction, TrimmerLoop, TrimmerParameters
 
@@ -81,32 +79,3 @@ def test_three_frictions_at_once_make_multipliers_one_sided_and_it_is_said() -> 
     alone = forced_orbit(loop(2.0, q1=0.3, q2=0.4))
     assert not alone.one_sided
     assert "one side" not in alone.message
-
-
-def spring(body: str) -> Link:
-    return Link(("ground", body), stiffness=1.0, damping=0.2)
-
-
-PARTS: dict[str, dict[str, Callable[[str], object]]] = {
-    "stops": {"stops": lambda body: Stop(("ground", body), stiffness=20.0, damping=0.5, gap=0.5)},
-    "frictions": {"frictions": lambda body: Friction(("ground", body), force=0.4)},
-    "plays and frictions": {
-        "plays": lambda body: Play(("ground", body), stiffness=9.0, damping=0.3, gap=0.6),
-        "frictions": lambda body: Friction(("ground", body), force=0.2),
-    },
-}
-
-
-@pytest.mark.parametrize("place", ['bodies."first".mass', 'forces."of first".amplitude'])
-@pytest.mark.parametrize("parts", PARTS.values(), ids=PARTS)
-def test_a_number_of_one_machine_moves_none_that_is_beside_it_in_step(parts, place) -> None:
-    """All events of the two come in pairs; what changes in the first is no concern of the second."""
-    bodies = ("first", "second")
-    every = {"links": spring, "forces": lambda body: Force(body, amplitude=1.0), **parts}
-    made = {section: {f"of {body}": part(body) for body in bodies} for section, part in every.items()}
-    machine = Mechanism({body: Body(1.0) for body in bodies}, frequency=0.1, **made)
-    orbit = respond(machine).motion.orbit
-    value = machine.value(place)
-    rate = DrivenMap(machine, place, value, orbit.periods).passage(value, orbit.strobed[0]).rate
-    assert abs(rate[0::2]).max() > 0.1
-    np.testing.assert_allclose(rate[1::2], 0.0, atol=1e-9)

@@ -146,20 +146,6 @@ def test_period_doublings_of_two_blocks_against_brute_force() -> None:
 
 
 @pytest.mark.slow
-def test_orbits_of_two_blocks_return_by_brute_force_with_the_same_multipliers(blocks: FollowedBranch) -> None:
-    for orbit in (blocks.points[3], blocks.points[-1]):
-        mechanism = two_blocks(orbit.value)
-        state = orbit.state[:-1]
-        motion = BruteForce().run(System(mechanism), state, 0.0, orbit.period)
-        assert motion.final == pytest.approx(state, abs=1e-9)
-        assert len(motion.events) == orbit.events_per_period
-        found = brute_multipliers(mechanism, state, orbit.period)
-        assert abs(found[:2]) == pytest.approx(abs(orbit.multipliers[:2]), abs=1e-5)
-        assert min(abs(orbit.multipliers - 1.0)) == 0.0
-        assert orbit.stable == (abs(found).max() < 1.0 + 1e-4)
-
-
-@pytest.mark.slow
 def test_doubled_periods_part_and_join_again(blocks: FollowedBranch) -> None:
     doubled = blocks.branches[-1]
     assert doubled.parted is blocks.special[-1]
@@ -172,14 +158,6 @@ def test_doubled_periods_part_and_join_again(blocks: FollowedBranch) -> None:
     assert again.reason is BranchEnd.REJOINED
     assert again.special[-1].value == pytest.approx(blocks.special[-1].value, rel=1e-11)
     assert again.branches[0].points[-1].period == pytest.approx(0.5 * again.points[-1].period, rel=1e-2)
-
-
-@pytest.mark.slow
-def test_both_directions_find_the_same_points(blocks: FollowedBranch) -> None:
-    last = blocks.points[-1]
-    back = follow(two_blocks(0.68), SPEED, 0.68, 0.8, state=last.state, settings=COARSE)
-    assert [each.kind for each in back.special] == [SpecialKind.PERIOD_DOUBLING]
-    assert back.special[0].value == pytest.approx(blocks.special[-1].value, rel=1e-10)
 
 
 def test_respond_does_not_settle_to_an_unstable_motion() -> None:

@@ -7,19 +7,28 @@ import pytest
 
 from tests.mechanisms.random_mechanisms import random_mechanism
 from trimmer import Body, Force, Friction, Link, Mechanism, Pin, Play, Stop, respond, simulate
+from trimmer.branches.period_maps.driven_map import DrivenMap
 
-Part = Callable[[str], object]
+Parts = dict[str, Callable[[str], object]]
+DRIVEN: Parts = {
+    "links": lambda body: Link(("ground", body), stiffness=1.0, damping=0.2),
+    "forces": lambda body: Force(body, amplitude=1.0),
+}
+AT_ONCE: dict[str, Parts] = {
+    "stops": {"stops": lambda body: Stop(("ground", body), stiffness=20.0, damping=0.5, gap=0.5)},
+    "frictions": {"frictions": lambda body: Friction(("ground", body), force=0.4)},
+    "plays and frictions": {
+        "plays": lambda body: Play(("ground", body), stiffness=9.0, damping=0.3, gap=0.6),
+        "frictions": lambda body: Friction(("ground", body), force=0.2),
+    },
+}
+ON_A_BELT: Parts = {
+    "links": lambda body: Link(("ground", body), stiffness=1.0),
+    "frictions": lambda body: Friction(("belt", body), force=0.5, static=1.0),
+}
 
 
-def spring(body: str) -> Link:
-    return Link(("ground", body), stiffness=1.0, damping=0.2)
-
-
-def push(body: str) -> Force:
-    return Force(body, amplitude=1.0)
-
-
-def machines(count: int, frequency: float | None, parts: dict[str, Part]) -> Mechanism:
+def machines(count: int, parts: Parts, frequency: float | None = 0.1) -> Mechanism:
     """Return equal machines of one body each that share the ground, the belt and the drive."""
     bodies = [f"body {number}" for number in range(count)]
     made = {section: {f"of {body}": part(body) for body in bodies} for section, part in parts.items()}
@@ -28,44 +37,12 @@ def machines(count: int, frequency: float | None, parts: dict[str, Part]) -> Mec
 
 
 @pytest.mark.parametrize(
-    ("frequency", "parts"),
-    [
-        pytest.param(
-            None,
-            {
-                "links": lambda body: Link(("ground", body), stiffness=1.0),
-                "frictions": lambda body: Friction(("belt", body), force=0.5, static=1.0),
-            },
-            id="blocks on a belt",
-        ),
-        pytest.param(
-            0.1,
-            {
-                "links": spring,
-                "forces": push,
-                "stops": lambda body: Stop(("ground", body), stiffness=20.0, damping=0.5, gap=0.5),
-            },
-            id="oscillators at stops",
-        ),
-        pytest.param(
-            0.1,
-            {"links": spring, "forces": push, "frictions": lambda body: Friction(("ground", body), 0.4)},
-            id="oscillators with friction",
-        ),
-        pytest.param(
-            0.1,
-            {
-                "links": spring,
-                "forces": push,
-                "plays": lambda body: Play(("ground", body), stiffness=9.0, damping=0.3, gap=0.6),
-                "frictions": lambda body: Friction(("ground", body), force=0.2),
-            },
-            id="oscillators with play and friction",
-        ),
-    ],
+    ("parts", "frequency"),
+    [*((DRIVEN | each, 0.1) for each in AT_ONCE.values()), (ON_A_BELT, None)],
+    ids=[*AT_ONCE, "blocks on a belt"],
 )
-def test_equal_machines_have_the_multipliers_of_one_twice(frequency, parts) -> None:
-    one, two = (respond(machines(count, frequency, parts)).motion.orbit for count in (1, 2))
+def test_equal_machines_have_the_multipliers_of_one_twice(parts, frequency) -> None:
+    one, two = (respond(machines(count, parts, frequency)).motion.orbit for count in (1, 2))
     assert one is not None and two is not None
     expected = np.sort(np.repeat(abs(one.multipliers), 2))
     # Beside a double multiplier rounding is that of its square root.
@@ -74,6 +51,18 @@ def test_equal_machines_have_the_multipliers_of_one_twice(frequency, parts) -> N
     assert not two.one_sided
     # Without a drive either machine may be ahead of the other for ever.
     assert (two.stable, two.neutral) == ((True, False) if frequency else (False, True))
+
+
+@pytest.mark.parametrize("place", ['bodies."body 0".mass', 'forces."of body 0".amplitude'])
+@pytest.mark.parametrize("parts", AT_ONCE.values(), ids=AT_ONCE)
+def test_a_number_of_one_machine_moves_none_that_is_beside_it_in_step(parts, place) -> None:
+    """All events of the two come in pairs; what changes in the first is no concern of the second."""
+    machine = machines(2, DRIVEN | parts)
+    orbit = respond(machine).motion.orbit
+    value = machine.value(place)
+    rate = DrivenMap(machine, place, value, orbit.periods).passage(value, orbit.strobed[0]).rate
+    assert abs(rate[0::2]).max() > 0.1
+    np.testing.assert_allclose(rate[1::2], 0.0, atol=1e-9)
 
 
 @pytest.mark.slow
