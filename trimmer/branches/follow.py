@@ -15,6 +15,7 @@ from trimmer.branches.period_maps.fitting import fitting
 from trimmer.branches.period_maps.self_excited_map import SelfExcitedMap
 from trimmer.branches.saddle import saddle_passed
 from trimmer.branches.settings import DEFAULT, FollowSettings
+from trimmer.branches.torn_out import torn_out
 from trimmer.errors import LoopError, MechanismError, OrbitNotFoundError
 from trimmer.loops.loops import Loop
 from trimmer.mechanism.drives import RETURNS, told_of_drives
@@ -107,7 +108,7 @@ def follow(
     base = map
     while base.single is not None:
         base = base.single
-    return _followed(branch, base)
+    return _with_torn(_followed(branch, base))
 
 
 def require_continuous(place: str) -> None:
@@ -177,7 +178,7 @@ def _self_excited(
     doubled: DrivenMap = map
     for _ in range(passage.halvings):
         doubled, first = doubled.doubled(), np.append(first[:-1], 0.5 * first[-1])
-    return _with_end(_followed(continuation(doubled, first, begin, end, settings), map))
+    return _with_torn(_with_end(_followed(continuation(doubled, first, begin, end, settings), map)))
 
 
 def _with_end(branch: FollowedBranch) -> FollowedBranch:
@@ -193,6 +194,15 @@ def _with_end(branch: FollowedBranch) -> FollowedBranch:
     if found is None:
         return branch
     return replace(branch, reason=BranchEnd.INFINITE_PERIOD, message=found.told, endless=found)
+
+
+def _with_torn(branch: FollowedBranch) -> FollowedBranch:
+    """Return a branch, and those that part from it, with where stick is torn out only just if they end so."""
+    branch = replace(branch, branches=tuple(map(_with_torn, branch.branches)))
+    torn = torn_out(branch.points) if branch.reason is BranchEnd.STEP_TOO_SMALL else None
+    if torn is None:
+        return branch
+    return replace(branch, reason=BranchEnd.TORN, message=torn.told, special=(*branch.special, torn.special))
 
 
 def _orbit_at_start(mechanism: Subject, most_periods: int, periods: int | None) -> Orbit | None:

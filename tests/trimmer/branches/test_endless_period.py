@@ -1,15 +1,16 @@
-"""Where a period grows without bound, beside laws in closed form."""
+"""Where a period grows without bound, and where stick is torn out only just, beside laws in closed form."""
 
 import numpy as np
 import pytest
 from scipy.linalg import expm
-from scipy.optimize import root
+from scipy.optimize import brentq, root
 
 from tests.trimmer.servos import STICTION
 from trimmer import Mechanism, follow
 from trimmer.branches import BranchEnd
 from trimmer.branches.endless_period import endless_period
 from trimmer.examples import example_text
+from trimmer.mechanism import Body, Force, Friction, Link
 
 CURVE = "curve = [[-3, 1.5], [-0.3, -0.3], [0, 0], [2, 2]]"
 
@@ -79,3 +80,26 @@ def test_a_block_that_slips_to_a_saddle_takes_ever_longer() -> None:
     assert saddle is not None and saddle.rate == pytest.approx(growing, rel=1e-12)
     assert saddle.positions == pytest.approx({"block": -1.5})
     assert "in which it cannot stay (a saddle: block -1.5)" in branch.message
+
+
+def test_a_branch_ends_where_stick_is_torn_out_at_the_peak_of_the_force() -> None:
+    """From -X, where the spring pulls too, a slip under a cos t, a = 2 - k X, ends at X for the mirror."""
+    stiffness, own = 0.3, np.sqrt(0.3)
+
+    def beyond(x: float) -> float:
+        wave = (2.0 - stiffness * x) / (stiffness - 1.0)
+        free = 1.0 / stiffness - x - wave
+        stops = brentq(lambda t: wave * np.sin(t) + free * own * np.sin(own * t), 1.0, 3.0)
+        return float(wave * np.cos(stops) - 1.0 / stiffness + free * np.cos(own * stops) - x)
+
+    block = Mechanism(
+        {"block": Body(1.0)},
+        1.0 / (2.0 * np.pi),
+        links={"spring": Link(("ground", "block"), stiffness)},
+        frictions={"floor": Friction(("ground", "block"), 1.0, static=2.0)},
+        forces={"push": Force("block", amplitude=2.4)},
+    )
+    branch = follow(block, "forces.push.amplitude", 2.4, 0.5)
+    assert branch.reason is BranchEnd.TORN and branch.success
+    assert branch.special[-1].parts == ("floor",)
+    assert branch.special[-1].value == pytest.approx(2.0 - stiffness * brentq(beyond, 0.0, 1.0), abs=3e-8)
