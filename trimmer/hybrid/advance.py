@@ -256,7 +256,7 @@ class _Integration:
         mode = self.modes[self.mode]
         function = mode.functions[place.fired]
         decide, state = self.modes.system.decide, self.work.state
-        decision = decide(mode, state, function, place.jumped, at_rest)
+        decision = decide(mode, state, function, place.jumped, at_rest, self._held_before(place))
         state[:] = decision.state
         more = place.row + len(decision.statuses) + len(decision.impulses)
         while more >= len(self.log.start):
@@ -269,6 +269,13 @@ class _Integration:
             place = place._replace(row=first, fired=int(log.function[first]))
         row = self._change_together(place, mode, decision, at_rest)
         return place._replace(row=row, mode=self.mode, fired=NO_EVENT, jumped=False)
+
+    def _held_before(self, place: Place) -> tuple[int, ...]:
+        """Return the parts that were held before all that happens at this instant."""
+        row = place.row - 1
+        while row > 0 and self.log.start[row] == place.time:
+            row -= 1
+        return self.modes[int(self.log.mode[row])].held
 
     def _cycling(self, place: Place) -> tuple[Places, int]:
         """Return the parts at rest where events repeat each other, and how many last rows say what they did.

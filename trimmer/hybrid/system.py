@@ -285,9 +285,17 @@ class System(Protocol):
         """Return the sums of the moduli of what the flow of a mode is made of, (N, N)."""
 
     def decide(
-        self, mode: ModeEquations, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
+        self,
+        mode: ModeEquations,
+        state: Reals,
+        function: EventFunction,
+        jumped: bool,
+        at_rest: Places,
+        held: tuple[int, ...],
     ) -> Decision:
         """Return what parts at rest do, by their numbers, where an event function falls to zero.
+
+        What was held before the instant goes on being held if it can.
 
         Raises:
             ArithmeticError: if rounding keeps it from being decided.

@@ -53,7 +53,7 @@ def resumed(
     statuses = _chosen(modes, state, 0.0 if anew else None)
     state = modes[modes.number(statuses)].hold @ state
     held = tuple(k for k, one in enumerate(statuses) if one == HELD and attracting(system.interconnection, k))
-    decided = complementary_mode(system, statuses, state, held) or statuses
+    decided = complementary_mode(system, statuses, state, held, ()) or statuses
     return decided, state, tuple(k for k in held if decided[k] != HELD)
 
 

@@ -114,13 +114,19 @@ class LoopSystem:
         return reset
 
     def decide(
-        self, mode: ModeEquations, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
+        self,
+        mode: ModeEquations,
+        state: Reals,
+        function: EventFunction,
+        jumped: bool,
+        at_rest: Places,
+        held: tuple[int, ...],
     ) -> Decision:
         """Return what relays at rest do, one after the other where their influence is not symmetric."""
-        held = list(mode.statuses)
+        resting = list(mode.statuses)
         for k in at_rest.tolist():
-            held[k] = HELD
-        closed = self.coupled.closed(tuple(held))
+            resting[k] = HELD
+        closed = self.coupled.closed(tuple(resting))
         relays = tuple(
             k for k, one in enumerate(closed) if one == HELD and attracting(self.interconnection, k)
         )
@@ -128,9 +134,9 @@ class LoopSystem:
         assert isinstance(function, LoopFunction)
         dropping, after = self._dropping(function), None
         if jumped or not dropping:
-            after = complementary_mode(self, mode.statuses, state, relays)
+            after = complementary_mode(self, mode.statuses, state, relays, held)
         if dropping and (not jumped or after == mode.statuses):
-            after = complementary_mode(self, mode.statuses, state, relays, dropping)
+            after = complementary_mode(self, mode.statuses, state, relays, held, dropping)
         if after is None or (dropping and after == mode.statuses):
             # The limit decides where the influence is not symmetric, and where the drop is rounding.
             after = _with(mode.statuses, function.jumped if jumped else function.reached)

@@ -156,3 +156,25 @@ def test_a_body_is_pulled_off_the_ground_when_the_table_turns_back():
         (turned, "on table", EventKind.SLIDING_REVERSED),
         (turned, "on ground", EventKind.STICK_ENDED),
     ]
+
+
+def test_stick_lasts_beside_a_friction_that_turns_back_within_its_kinetic_force():
+    """The slider never rests, so that its static force, which would tear the block off, is never there.
+
+    On the block: 1.2 of the load, 0.8 of the slider one way and then the other, and so 2.0 of 2.2 held.
+    """
+    mechanism = Mechanism(
+        {"block": Body(1.0), "slider": Body(1.0)},
+        frictions={
+            "table": Friction(("ground", "block"), 1.4, 2.2),
+            "back": Friction(("block", "slider"), 0.8, 1.1),
+        },
+        forces={"load": Force("block", constant=-1.2), "pull": Force("slider", constant=-2.0)},
+        start={"slider": (0.0, 1.0)},
+    )
+    motion = exact_motion(mechanism, 1.0)
+    turns, after = 1.0 / 2.8, 1.0 - 1.0 / 2.8
+    assert [(event.part, event.kind) for event in motion.events] == [("back", EventKind.SLIDING_REVERSED)]
+    assert motion.events[0].time == pytest.approx(turns, rel=1e-12)
+    expected = [0.0, 0.5 * turns - 0.6 * after**2, 0.0, -1.2 * after]
+    assert motion.states(np.array([1.0])).ravel() == pytest.approx(expected, rel=1e-12, abs=1e-15)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from trimmer import Body, ContactLaw, Force, Friction, Link, Mechanism, Stop, UnsupportedMotionError
-from trimmer.arrays import Places, Reals
+from trimmer.arrays import Reals
 from trimmer.branches.period_maps.driven_map import DrivenMap
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.modes.system import MechanismSystem
@@ -102,11 +102,9 @@ class Counting(MechanismSystem):
 
     asked: list[EventFunction] = field(default_factory=list)
 
-    def decide(
-        self, mode: ModeEquations, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
-    ):
+    def decide(self, mode: ModeEquations, state: Reals, function: EventFunction, *others: object):
         self.asked.append(function)
-        return super().decide(mode, state, function, jumped, at_rest)
+        return super().decide(mode, state, function, *others)
 
 
 @pytest.mark.parametrize(("ground", "together"), [(True, False), (False, True)])

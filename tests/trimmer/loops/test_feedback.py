@@ -252,6 +252,20 @@ def test_frictions_stick_and_slip_together_as_those_of_machines_do(seed: int | r
         np.testing.assert_allclose(*instants, rtol=0, atol=2e-9)
 
 
+def test_stick_lasts_beside_a_friction_that_turns_back_within_its_kinetic_force() -> None:
+    """As in ``contact.test_frictions_at_once``: 1.2 on what is held, and 2 on what slides on it."""
+    names = {"states": ["block", "slider", "load"], "inputs": ["table", "back"], "outputs": ["table", "back"]}
+    flow = [[0.0, 0.0, -1.2], [0.0, 0.0, -2.0], [0.0, 0.0, 0.0]]
+    plant = control.ss(
+        flow, [[-1.0, 1.0], [0.0, -1.0], [0.0, 0.0]], [[1.0, 0, 0], [-1.0, 1.0, 0]], 0, **names
+    )
+    elements = {"table": CoulombFriction(1.4, static=2.2), "back": CoulombFriction(0.8, static=1.1)}
+    motion = simulate(Feedback(plant, elements), 1.0, state=np.array([0.0, 1.0, 1.0]))
+    assert [event.component for event in motion.events] == ["back"]
+    assert motion.signal("slider", np.array([1.0])) == pytest.approx(-1.2 * (1.0 - 1.0 / 2.8), rel=1e-12)
+    assert motion.signal("block", np.array([1.0])) == 0.0
+
+
 def test_friction_takes_a_velocity_and_viscous_friction_is_a_gain_there() -> None:
     """v' = -sign(v) - v/2 from 1: it comes to rest after 2 ln(3/2), and stays."""
     loop = Feedback(integrator(inputs="v", outputs="v"), {"v": CoulombFriction(1.0) + ViscousFriction(0.5)})

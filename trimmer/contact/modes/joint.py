@@ -24,6 +24,7 @@ def after_event(
     function: EventFunction,
     jumped: bool,
     at_rest: Places,
+    held: tuple[int, ...],
 ) -> tuple[tuple[int, ...], int]:
     """Return what frictions at rest do after a velocity has come to zero, or a limit of stick is reached.
 
@@ -34,6 +35,7 @@ def after_event(
         function: The event function that fell to zero.
         jumped: Whether it was negative at once.
         at_rest: Numbers of the holds whose velocity is zero: frictions, then walls that are reached.
+        held: Numbers of the parts that were held before the instant.
 
     Returns:
         The statuses of all parts, and how many derivatives of the velocities vanish that begin.
@@ -42,14 +44,14 @@ def after_event(
         ArithmeticError: see ``decide``.
     """
     if function.action == ARRIVED or jumped:
-        after = decide(machine, statuses, state, at_rest)
+        after = decide(machine, statuses, state, at_rest, held=held)
         if function.action == ARRIVED or after != statuses:
             return after, 1
     sliding = [hold for hold, sign in enumerate(function.signs) if sign]
     rubbing = [hold for hold in sliding if hold < len(machine.kinetic)]
     drops = bool((machine.static[rubbing] > machine.kinetic[rubbing]).any())
     if drops:
-        after = decide(machine, statuses, state, at_rest, np.array(sliding, dtype=np.intp))
+        after = decide(machine, statuses, state, at_rest, np.array(sliding, dtype=np.intp), held)
         if after != statuses:
             return after, 1
     # Without a drop accelerations begin at zero; and where the drop is rounding, the limit decides.
@@ -60,12 +62,18 @@ def after_event(
 
 
 def decide(
-    machine: Machine, statuses: tuple[int, ...], state: Reals, at_rest: Places, broken: Places | None = None
+    machine: Machine,
+    statuses: tuple[int, ...],
+    state: Reals,
+    at_rest: Places,
+    broken: Places | None = None,
+    held: tuple[int, ...] = (),
 ) -> tuple[int, ...]:
     """Return the statuses of all parts once the frictions at rest have stuck or begun to slide.
 
     What breaks away resists with its kinetic force from then on, and all is decided again: it may stick after
-    all, where others that broke away with it push it back. So it ends, and all forces fit what moves.
+    all, where others that broke away with it push it back. So it ends, and all forces fit what moves. What
+    stuck before goes on sticking if it can.
 
     Args:
         machine: The mechanism.
@@ -73,6 +81,7 @@ def decide(
         state: The extended state, (N,).
         at_rest: Numbers of the holds whose velocity is zero, those that hold among them.
         broken: Those of them that are beyond their static force; none if not given.
+        held: Numbers of the parts that were held before the instant.
 
     Raises:
         ArithmeticError: if rounding keeps the problem from being solved.
@@ -81,11 +90,15 @@ def decide(
     kinetic = np.concatenate([machine.kinetic, np.full(len(machine.restitution), np.inf)])
     if broken is not None:
         limits[broken] = kinetic[broken]
+    stuck = np.isin(holds, list(held))
     while True:
         accelerations = _accelerations(machine, statuses, state, at_rest, limits[at_rest])
         breaking = at_rest[(accelerations != 0) & (limits[at_rest] > kinetic[at_rest])]
         if not len(breaking):
             break
+        # What turns back never had its static force, with which it would tear off what sticks.
+        turning = breaking[~stuck[breaking]]
+        breaking = turning if len(turning) else breaking
         limits[breaking] = kinetic[breaking]
     for hold, acceleration in zip(at_rest.tolist(), accelerations.tolist(), strict=True):
         decided[holds[hold]] = _going(machine, hold, acceleration)

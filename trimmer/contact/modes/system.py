@@ -88,7 +88,13 @@ class MechanismSystem:
         return impulse_of(self.machine, wall, restitution), -self.machine.wall_distance[wall]
 
     def decide(
-        self, mode: ModeEquations, state: Reals, function: EventFunction, jumped: bool, at_rest: Places
+        self,
+        mode: ModeEquations,
+        state: Reals,
+        function: EventFunction,
+        jumped: bool,
+        at_rest: Places,
+        held: tuple[int, ...],
     ) -> Decision:
         """Return what frictions and walls at rest do, or what follows an impact.
 
@@ -97,7 +103,9 @@ class MechanismSystem:
         if function.action == STRUCK:
             wall = function.owner - first_wall(self.machine)
             # What was held until then has drifted by the rounding of a long way.
-            held = mode.hold @ state
-            return strike(self.machine, mode.statuses, held, wall, self.layout.period or 1.0)
+            fitted = mode.hold @ state
+            return strike(self.machine, mode.statuses, fitted, wall, self.layout.period or 1.0, held)
         holds = np.flatnonzero(np.isin(self.machine.holds, at_rest))
-        return Decision(*after_event(self.machine, mode.statuses, state, function, jumped, holds), state)
+        return Decision(
+            *after_event(self.machine, mode.statuses, state, function, jumped, holds, held), state
+        )

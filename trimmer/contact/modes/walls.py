@@ -34,7 +34,14 @@ MOST_PASSES = 60  # Rounds of impacts at one instant, after which walls act toge
 SHORTEST = 1e-9  # Share of the drive's period, or of 1 s, below which what is left of a chatter is completed
 
 
-def strike(machine: Machine, statuses: tuple[int, ...], state: Reals, wall: int, period: float) -> Decision:
+def strike(
+    machine: Machine,
+    statuses: tuple[int, ...],
+    state: Reals,
+    wall: int,
+    period: float,
+    held: tuple[int, ...],
+) -> Decision:
     """Return what an impact on a wall does, and all that follows from it at the same instant.
 
     Args:
@@ -43,24 +50,26 @@ def strike(machine: Machine, statuses: tuple[int, ...], state: Reals, wall: int,
         state: The extended state, (N,).
         wall: The wall that is reached.
         period: That of the drive, s; 1 without one.
+        held: Numbers of the parts that were held before the instant.
 
     Raises:
         ArithmeticError: if rounding keeps it from being decided.
     """
     state = at_gap(machine, wall, state)
-    return _Strike(machine, statuses, state, wall, period, abs(state)).decision()
+    return _Strike(machine, statuses, state, wall, period, held, abs(state)).decision()
 
 
 @dataclass(frozen=True, eq=False)
 class _Strike:
     """An instant at which a wall is reached."""
 
-    # machine, statuses, state, wall, period: See ``strike``
+    # machine, statuses, state, wall, period, held: See ``strike``
     machine: Machine
     statuses: tuple[int, ...]
     state: Reals
     wall: int
     period: float
+    held: tuple[int, ...]
     largest: Reals  # Moduli of the entries of the state, the largest of the instant, (N,)
 
     def decision(self) -> Decision:
@@ -162,7 +171,7 @@ class _Strike:
         at_rest = np.array([*sliding.tolist(), *resting], dtype=np.intp)
         if not len(at_rest):
             return tuple(statuses), at_rest
-        return decide(machine, tuple(statuses), state, at_rest), at_rest
+        return decide(machine, tuple(statuses), state, at_rest, held=self.held), at_rest
 
     def has_chattered(self, wall: int, statuses: tuple[int, ...], state: Reals) -> bool:
         """Say whether what is left of the bounces on a wall is too short to matter."""

@@ -40,15 +40,17 @@ def complementary_mode(
     statuses: tuple[int, ...],
     state: Reals,
     relays: tuple[int, ...],
+    before: tuple[int, ...],
     broken: tuple[int, ...] = (),
 ) -> tuple[int, ...] | None:
     """Return the modes of all components in which relays go on whose switching functions are zero.
 
     What breaks away has its kinetic force from then on, and all is decided again: it may be held after
-    all, where others that broke away with it push it back. First the rates of the switching functions
-    decide, by the complementarity problem of ``trimmer.hybrid.dry_friction``. Where they are zero and
-    what is held is at a limit of all, the next derivatives do, as often as needed. None if the outputs
-    have no symmetric influence, as those of bodies have.
+    all, where others that broke away with it push it back. What was held ``before`` the instant goes on
+    being held if it can. First the rates of the switching functions decide, by the complementarity problem
+    of ``trimmer.hybrid.dry_friction``. Where they are zero and what is held is at a limit of all, the next
+    derivatives do, as often as needed. None if the outputs have no symmetric influence, as those of bodies
+    have.
     """
     chosen = tuple(PLUS if k in relays else status for k, status in enumerate(statuses))
     at_rest = _at_rest(system, chosen, relays, broken)
@@ -58,6 +60,9 @@ def complementary_mode(
         breaking = moves & (at_rest.limits > at_rest.levels)
         if not breaking.any():
             return decided
+        # What turns back never had its static force, with which it would tear off what is held.
+        turning = breaking & np.array([k not in before for k in at_rest.relays])
+        breaking = turning if turning.any() else breaking
         at_rest = replace(at_rest, limits=np.where(breaking, at_rest.levels, at_rest.limits))
     return None
 
