@@ -107,7 +107,7 @@ def _taken(numerators: list[Complexes], count: int) -> Complexes:
 
 def _section(poles: Complexes, zeros: Complexes) -> control.StateSpace:
     """Return prod(s - zero)/prod(s - pole) of one or two poles, real or a pair, and as many zeros at most."""
-    numerator: Reals = np.real(np.poly(zeros)) if zeros.size else np.ones(1)
+    numerator = np.poly(zeros) if zeros.size else np.ones(1)
     b = np.concatenate([np.zeros(poles.size + 1 - numerator.size), numerator])
     first, last, turning = poles[0].real, poles[-1].real, poles[0].imag
     if poles.size == 1:

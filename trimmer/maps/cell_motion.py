@@ -122,6 +122,6 @@ def _curve(motion: CellMotion) -> ClosedCurve:
     that is near 1 is farther from the unit circle. Its residual is at most that at which a return is closed.
     """
     states = np.array(motion.states)
-    apart = abs(1.0 - (motion.largest_multiplier or 0.0))
+    apart = 1.0 - (motion.largest_multiplier or 0.0)
     known = min(CLOSED / apart, LEAST_KNOWN) if apart > SAME else 0.0
     return ClosedCurve(float(len(states)), states[:, None], strobed_sizes(states), known)

@@ -47,6 +47,7 @@ def test_headings_and_data_are_told_apart(file, content: str, heading: str, valu
         ("serial;1234\nstate;5\n0;1\n", ", line 1: 'serial' is not a number"),
         ("serial;1234\n" + 99 * "\n" + "Time;Way\n0;1\n", ", line 1: 'serial' is not a number"),
         ("1;2\nTime;Way\n0;1\n", ", line 2: 'Time' is not a number"),
+        ("1234\nTime;Way\n0;1\n", ", line 2: 2 cells separated by semicolon, where line 1 has 1: 'Time;Way'"),
         ("a;b\na;b;c\n\n1;2\n", ", line 2: 3 cells in the heading, but 2 in the data"),
         ("#\n1;2\n#\n3\n", ", line 4: 1 cell separated by semicolon, where line 2 has 2: '3'"),
         ('1\n2\n"a","b"\n', ", line 3: 2 cells without a delimiter, where line 1 has 1"),

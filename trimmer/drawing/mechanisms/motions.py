@@ -63,7 +63,7 @@ def _shown(units: Iterable[str]) -> tuple[str, str]:
 
 
 def _rows(course: Course, times: Reals) -> Integers:
-    return np.asarray(np.searchsorted(course.log.start, times, side="right") - 1, dtype=np.int64)
+    return np.asarray(np.searchsorted(course.log.start, times, side="right") - 1)
 
 
 def draw_phase_plane(flow: Flow, course: Course, axes: Axes) -> None:
