@@ -326,8 +326,9 @@ def test_what_was_made_false_is_refused(tmp_path, kind: str, name: str, change: 
 def test_a_larger_range_is_another_theorem_that_is_false(tmp_path: Path) -> None:
     loop, cycles = balanced(*LOOPS["the thesis's"])
     lower = prove_limit_cycles(loop, cycles[:1], (100.0, 4000.0))
-    wider = at("omega_range", to=[100.0, 5000.0])
+    wider, none = (at("omega_range", to=each) for each in ([100.0, 5000.0], [100.0]))
     require_refused(tmp_path / "list.json", lower, wider, "the list lacks the solution at A = 0.000332")
+    require_refused(tmp_path / "list.json", lower, none, "omega_range has 1 entries, not 2")
 
 
 def test_a_loop_that_is_linear_and_vibrates_at_any_amplitude_has_no_list() -> None:

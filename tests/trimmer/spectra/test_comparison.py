@@ -19,12 +19,14 @@ def motion(frequency, lines, derivatives: int = 0, delay: float = 0.0, count: in
     return ((lines * (1j * omega) ** derivatives) @ np.exp(1j * np.outer(omega, TIMES - delay))).real
 
 
-@pytest.mark.parametrize("derivatives", [0, 1, 2])
+@pytest.mark.parametrize(
+    ("derivatives", "unit", "own"),
+    [(0, "mm", "m"), (1, "m/s", "m"), (2, "m/s2", "m"), (1, "m/s2", "m/s"), (0, "N", "N")],
+)
 @pytest.mark.parametrize("delay", [0.0, 0.0031, 0.0088])
-def test_a_motion_is_aligned_with_itself(derivatives: int, delay: float) -> None:
-    unit = ("mm", "m/s", "m/s2")[derivatives]
+def test_a_motion_is_aligned_with_itself(derivatives: int, unit: str, own: str, delay: float) -> None:
     values = motion(110.0, LINES, derivatives, delay) * (1e3 if unit == "mm" else 1.0)
-    compared = compare_motions(Signal(values, RATE, "a", unit), SimulatedLines(LINES, 110.0))
+    compared = compare_motions(Signal(values, RATE, "a", unit), SimulatedLines(LINES, 110.0, unit=own))
     assert compared.frequency == pytest.approx(110.0, rel=1e-6)
     assert compared.shift == pytest.approx(delay % (1 / 110.0), abs=1e-7) or compared.shift > 1 / 110.0 - 1e-7
     assert compared.residual < 1e-4
@@ -70,6 +72,8 @@ def test_what_cannot_be_compared_is_refused() -> None:
         compare_motions(Signal(motion(150.0, LINES[:1]), RATE, "x", "m"), SimulatedLines(LINES, 110.0))
     with pytest.raises(SignalError, match="does not tell whether it is a displacement"):
         compare_motions(Signal(NOISE, RATE, "x", "V"), SimulatedLines(LINES, 110.0))
+    with pytest.raises(SignalError, match="the output is in N, and the signal in 'V'; give it in N"):
+        compare_motions(Signal(NOISE, RATE, "x", "V"), SimulatedLines(LINES, 110.0, unit="N"))
     with pytest.raises(SignalError, match="show no drive at 4000 Hz"):
         compare_motions(Signal(NOISE, RATE, "x", "m"), SimulatedLines(LINES, 110.0), 4000.0)
     with pytest.raises(SignalError, match="show no vibration at 4000 Hz"):
