@@ -8,7 +8,7 @@ import scipy.signal
 from numpy.typing import ArrayLike
 
 from trimmer.arguments import shown
-from trimmer.arrays import Complexes, Reals
+from trimmer.arrays import Complexes
 from trimmer.linear.frequency_response import UnsupportedSystemError
 
 FORMS = "(num, den), (z, p, k) and (A, B, C, D)"
