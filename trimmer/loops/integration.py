@@ -1,5 +1,6 @@
 """The motion of a loop from an extended state, and its log in the modes of another loop."""
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -44,7 +45,12 @@ def instant_in(modes: Modes[Any], mode: int, extended: Reals) -> Instant:
     return Instant(state, modes[mode].statuses, 0, 0.0, zeros, np.zeros(0))
 
 
-def renumbered(log: Log, modes: Modes[Any], others: LoopModes) -> Log:
-    """Return a log with the numbers that its modes have in another loop of the same components."""
-    numbers = {number: others.number(modes[number].statuses) for number in np.unique(log.mode).tolist()}
+def visited(log: Log, modes: Modes[Any]) -> dict[int, tuple[int, ...]]:
+    """Return the statuses of the modes in a log by their numbers, which their loop alone knows."""
+    return {number: modes.statuses[number] for number in np.unique(log.mode).tolist()}
+
+
+def renumbered(log: Log, statuses: Mapping[int, tuple[int, ...]], modes: Modes[Any]) -> Log:
+    """Return a log with the numbers that its modes, by their statuses, have in other modes."""
+    numbers = {number: modes.number(each) for number, each in statuses.items()}
     return log._replace(mode=np.array([numbers[number] for number in log.mode.tolist()], dtype=np.int64))

@@ -13,6 +13,7 @@ import numpy as np
 from trimmer.hybrid.nodes import sample
 from trimmer.loops.components.relay_component import HELD, RelayComponent
 from trimmer.loops.components.switched_component import EventKind
+from trimmer.loops.integration import renumbered, visited
 from trimmer.loops.loop_signal import LoopSignal, row_in_modes
 from trimmer.loops.system import KINDS
 from trimmer.motion.motion import EventTable, Motion, ordered
@@ -146,17 +147,12 @@ class LoopMotion(Motion):
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what is pickled: the numbers of modes mean something to their loop alone."""
-        modes = self.loop.modes
-        visited = {number: modes[number].statuses for number in np.unique(self.log.mode).tolist()}
-        return {**vars(self), "visited": visited}
+        return {**vars(self), "visited": visited(self.log, self.loop.modes)}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """Take what was pickled, and tabulate again the modes that the motion goes through."""
-        visited = state.pop("visited")
-        vars(self).update(state)
-        modes = self.loop.modes
-        numbers = {number: modes.number(statuses) for number, statuses in visited.items()}
-        self.log.mode[:] = [numbers[number] for number in self.log.mode.tolist()]
+        log = renumbered(state["log"], state.pop("visited"), state["loop"].modes)
+        vars(self).update(state, log=log)
 
     @property
     def touches(self) -> int:

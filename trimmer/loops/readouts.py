@@ -15,7 +15,7 @@ from trimmer.loops.components.threshold_component import ThresholdComponent
 from trimmer.loops.mode import LoopMode
 from trimmer.motion.part import Part, Phase
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-from trimmer.motion.signals import along, durations, while_status
+from trimmer.motion.signals import along, share_of_time, while_status
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
@@ -51,8 +51,7 @@ def contact_measures(course: Course, part: int, periods: int) -> ContactMeasures
     """Return what pin and load of a backlash do over a motion that spans some periods."""
     made = np.flatnonzero((course.log.part == part) & (course.log.kind == IMPACT))
     speeds = tuple(_approach(course, part, int(row)) for row in made)
-    touching = while_status(course, part, (UPPER, LOWER))
-    share = float(durations(course)[touching].sum() / course.duration)
+    share = share_of_time(course, while_status(course, part, (UPPER, LOWER)))
     return ContactMeasures(len(speeds) / periods, speeds, None, share, 0.0)
 
 
@@ -77,5 +76,4 @@ def friction_measures(course: Course, part: int, periods: int) -> FrictionMeasur
     speeds = abs(along(course, sliding, nodes.rows, nodes.states))
     sticking = while_status(course, part, (HELD,))
     lost = friction.level * float(nodes.weights @ np.where(sticking[nodes.rows], 0.0, speeds))
-    stick = float(durations(course)[sticking].sum() / course.duration)
-    return FrictionMeasures(lost / periods, lost / course.duration, stick)
+    return FrictionMeasures(lost / periods, lost / course.duration, share_of_time(course, sticking))

@@ -86,6 +86,6 @@ def while_status(course: Course, part: int, statuses: tuple[int, ...]) -> Flags:
     return np.asarray((here[:, None] == np.array(statuses)).any(axis=1))
 
 
-def durations(course: Course) -> Reals:
-    """Return how long each row of the log lasts, s, (rows,)."""
-    return np.diff(np.append(course.log.start, course.duration))
+def share_of_time(course: Course, counts: Flags) -> float:
+    """Return the share of its duration that a motion spends in those rows of the log that count, (rows,)."""
+    return float(np.diff(np.append(course.log.start, course.duration))[counts].sum() / course.duration)

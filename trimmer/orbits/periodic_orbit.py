@@ -11,7 +11,7 @@ from trimmer.balance.limit_cycle import LimitCycle
 from trimmer.displacement import Displacement
 from trimmer.loops import Drive, LoopMotion, Outcome
 from trimmer.loops.flow import LoopFlow
-from trimmer.loops.integration import renumbered
+from trimmer.loops.integration import renumbered, visited
 from trimmer.loops.loop_signal import LoopSignal, row_in_modes
 from trimmer.loops.loops import Loop
 from trimmer.motion.extremes import extremes
@@ -50,7 +50,7 @@ class Given:
     def motion(self, orbit: Orbit) -> LoopMotion:
         """Return the motion of an orbit in the states that were given."""
         course, order = orbit.course, len(self.states)
-        log = renumbered(course.log, orbit.flow.modes, self.loop.modes)
+        log = renumbered(course.log, visited(course.log, orbit.flow.modes), self.loop.modes)
         states = np.hstack([log.state[:, :order] @ self.states.T, log.state[:, order:]])
         return LoopMotion(self.loop, course.duration, Outcome.COMPLETED, log._replace(state=states))
 
@@ -78,18 +78,14 @@ class PeriodicOrbit(Orbit):
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what is pickled: the numbers of modes mean something to their loop alone."""
-        visited = {
-            number: self.course.modes[number].statuses for number in np.unique(self.course.log.mode).tolist()
-        }
         own = {each.name: getattr(self, each.name) for each in fields(self)}
-        return {**own, "course": replace(self.course, modes=cast("Any", None)), "visited": visited}
+        statuses = visited(self.course.log, self.course.modes)
+        return {**own, "course": replace(self.course, modes=cast("Any", None)), "visited": statuses}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         """Take what was pickled, and tabulate again the modes that the orbit goes through."""
-        visited, course, modes = state.pop("visited"), state.pop("course"), state["flow"].modes
-        numbers = {number: modes.number(statuses) for number, statuses in visited.items()}
-        mode = np.array([numbers[number] for number in course.log.mode.tolist()], dtype=np.int64)
-        state["course"] = replace(course, modes=modes, log=course.log._replace(mode=mode))
+        statuses, course, modes = state.pop("visited"), state.pop("course"), state["flow"].modes
+        state["course"] = replace(course, modes=modes, log=renumbered(course.log, statuses, modes))
         vars(self).update(state)
 
     @property
@@ -242,5 +238,5 @@ def in_other_loop(orbit: PeriodicOrbit, loop: Loop) -> PeriodicOrbit:
     """Return an orbit as that of another loop of the same equations, states and components."""
     if orbit.given is not None:
         return replace(orbit, given=replace(orbit.given, loop=loop))
-    log = renumbered(orbit.course.log, orbit.course.modes, loop.modes)
+    log = renumbered(orbit.course.log, visited(orbit.course.log, orbit.course.modes), loop.modes)
     return replace(orbit, flow=LoopFlow(loop), course=replace(orbit.course, modes=loop.modes, log=log))

@@ -32,7 +32,7 @@ from trimmer.motion.course import Course
 from trimmer.motion.extremes import extremes
 from trimmer.motion.part import Part, Phase
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-from trimmer.motion.signals import Signal, durations, while_status
+from trimmer.motion.signals import Signal, share_of_time, while_status
 
 _SIDES = {PLUS: Phase.UPPER, MINUS: Phase.LOWER, ALWAYS: Phase.EITHER}
 _OTHER_SIDE = {PLUS: MINUS, MINUS: PLUS, RELEASED_PLUS: RELEASED_MINUS, RELEASED_MINUS: RELEASED_PLUS}
@@ -66,15 +66,9 @@ def contact_measures(course: Course, part: int, periods: int) -> ContactMeasures
     modes = course.modes
     made = (course.log.part == part) & (course.log.kind == CONTACT_MADE)
     speeds = abs(course.log.state[made] @ modes.system.machine.contact_rate[part])
-    touching = while_status(course, part, PUSHING)
+    share = share_of_time(course, while_status(course, part, PUSHING))
     largest = max(abs(each) for each in extremes(course, contact_force(modes, part)))
-    return ContactMeasures(
-        len(speeds) / periods,
-        tuple(speeds.tolist()),
-        largest,
-        float(durations(course)[touching].sum() / course.duration),
-        0.0,
-    )
+    return ContactMeasures(len(speeds) / periods, tuple(speeds.tolist()), largest, share, 0.0)
 
 
 def wall_measures(course: Course, number: int, periods: int) -> ContactMeasures:
@@ -86,10 +80,11 @@ def wall_measures(course: Course, number: int, periods: int) -> ContactMeasures:
     if resting.any():
         held = hold_forces(course, course.nodes.rows, course.nodes.states)
         largest = float(held[:, len(course.modes.system.machine.kinetic) + number].max())
-    share = float(durations(course)[resting].sum() / course.duration)
     speeds = tuple(impact_at(course, row)[0] for row in hit)
     completed = int(((log.part == part) & (log.kind == COMPLETED)).sum())
-    return ContactMeasures(len(hit) / periods, speeds, largest, share, completed / periods)
+    return ContactMeasures(
+        len(hit) / periods, speeds, largest, share_of_time(course, resting), completed / periods
+    )
 
 
 def friction_measures(course: Course, number: int, periods: int) -> FrictionMeasures:
@@ -100,8 +95,7 @@ def friction_measures(course: Course, number: int, periods: int) -> FrictionMeas
     name = course.modes.system.layout.frictions[number]
     curve = curve_forces(course, "frictions", name, nodes.rows, nodes.states)
     lost = float(nodes.weights @ (machine.kinetic[number] * abs(rates) + curve * rates))
-    stick = float(durations(course)[sticking].sum() / course.duration)
-    return FrictionMeasures(lost / periods, lost / course.duration, stick)
+    return FrictionMeasures(lost / periods, lost / course.duration, share_of_time(course, sticking))
 
 
 def event_rates(course: Course) -> list[tuple[float, float | None]]:
