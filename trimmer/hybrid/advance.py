@@ -96,26 +96,6 @@ def advance(  # noqa: PLR0913
     return integration.run(forcing, most_steps, most_events, exact, watched)
 
 
-class _Watch:
-    """A progress bar, made when it is first needed."""
-
-    def __init__(self, length: float, watched: bool) -> None:
-        self.length, self.watched = length, watched
-        self.bar: tqdm[Any] | None = None
-
-    def update(self, time: float) -> None:
-        """Show the time reached, s."""
-        if self.watched and self.bar is None:
-            self.bar = progress_bar(description="simulate", total=self.length, unit="s", unit_scale=True)
-        if self.bar is not None:
-            self.bar.update(time - self.bar.n)
-
-    def close(self) -> None:
-        """Take the bar away."""
-        if self.bar is not None:
-            self.bar.close()
-
-
 class _Integration:
     """The state of an integration between calls of the compiled code."""
 
@@ -155,7 +135,7 @@ class _Integration:
         left, now = most_steps, min(most_steps, AT_ONCE)
         place = Place(0, 0, self.mode, 0.0, now)
         self.log = Log.empty(min(ROWS, most_events + 1), self.modes.system.layout.size)
-        watch = _Watch(self.length, watched)
+        bar: tqdm[Any] | None = None
         try:
             while True:
                 tables, work = self._tables()
@@ -163,7 +143,7 @@ class _Integration:
                 self.mode, left = place.mode, left - (now - place.steps_left)
                 now = min(left, AT_ONCE)
                 if reason == STEP_LIMIT and left > 0:
-                    watch.update(place.time)
+                    bar = self._shown(bar, place.time) if watched else None
                 elif (ending := self._ending(reason, place, most_events)) is not None:
                     return self._stretch(ending, place, most_steps - left)
                 elif reason == LOG_FULL:
@@ -182,7 +162,15 @@ class _Integration:
             stretch = self._stretch(Ending.INTERRUPTED, place, most_steps - left)
             raise AdvanceInterrupted(stretch) from interrupt
         finally:
-            watch.close()
+            if bar is not None:
+                bar.close()
+
+    def _shown(self, bar: tqdm[Any] | None, time: float) -> tqdm[Any]:
+        """Show the time reached, s, on a progress bar, made when it is first needed."""
+        if bar is None:
+            bar = progress_bar(description="simulate", total=self.length, unit="s", unit_scale=True)
+        bar.update(time - bar.n)
+        return bar
 
     def _tables(self) -> tuple[Tables, Work]:
         """Return the tables as they are now, and work space that fits them."""
