@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.arguments import real_number, real_values
+from trimmer.arguments import finite_number, real_values
 from trimmer.loops.components.relay_component import HELD
 from trimmer.loops.frictions.complementarity import complementary_mode
 from trimmer.loops.frictions.coupled_relays import attracting
@@ -27,9 +26,7 @@ def initial_segment(
 ) -> tuple[int, Reals]:
     """Return the number of the mode, and the extended state, (n,), at t = 0, after an impulse."""
     started = _plant_state(loop, initial_state, impulse)
-    if not math.isfinite(real_number("element_output", element_output)):
-        raise ValueError(f"element_output must be finite, not {element_output!r}")
-    return segment_from(modes, started, element_output)
+    return segment_from(modes, started, finite_number("element_output", element_output))
 
 
 def segment_from(modes: LoopModes, plant_state: Reals, element_output: float) -> tuple[int, Reals]:
@@ -88,9 +85,7 @@ def _plant_state(loop: Loop, initial_state: ArrayLike | None, impulse: float) ->
             raise ValueError(f"initial_state must have shape ({model.nstates},), not {state.shape}")
         if not np.isfinite(state).all():
             raise ValueError("initial_state must be finite")
-    if not math.isfinite(real_number("impulse", impulse)):
-        raise ValueError(f"impulse must be finite, not {impulse!r}")
-    started: Reals = state + model.B[:, 0] * impulse
+    started: Reals = state + model.B[:, 0] * finite_number("impulse", impulse)
     return started
 
 

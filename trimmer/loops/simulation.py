@@ -1,11 +1,9 @@
 """The entry of exact simulation: a loop is followed from event to event."""
 
-import math
-
 import numpy as np
 from numpy.typing import ArrayLike
 
-from trimmer.arguments import LARGEST_COUNT, MOST_EVENTS, real_number
+from trimmer.arguments import LARGEST_COUNT, MOST_EVENTS, positive_number, real_number
 from trimmer.hybrid.stretch import AdvanceInterrupted, Ending, Instant
 from trimmer.hybrid.work import Log
 from trimmer.loops.components.backlash_component import BacklashComponent
@@ -86,8 +84,7 @@ def simulate_loop(  # noqa: PLR0913
         SimulationInterrupted: on an interrupt (Ctrl-C); it holds the motion until then.
     """
     require_loop(loop)
-    if not 0 < real_number("duration", duration, "s") < math.inf:
-        raise ValueError(f"duration must be positive and finite (s), not {duration!r}")
+    duration = positive_number("duration", duration, "s")
     for name, limit in (("event_limit", event_limit), ("step_limit", step_limit)):
         if not (real_number(name, limit) >= 1 and limit % 1 == 0):
             raise ValueError(f"{name} must be a whole number of at least 1, not {limit!r}")
@@ -99,7 +96,7 @@ def simulate_loop(  # noqa: PLR0913
         mode, state = modes.number(begin.statuses), np.concatenate([begin.state, forcing])
     events, steps = (min(int(limit), LARGEST_COUNT) for limit in (event_limit, step_limit))
     try:
-        stretch = followed(modes, mode, state, float(duration), events, steps, watched=True)
+        stretch = followed(modes, mode, state, duration, events, steps, watched=True)
     except AdvanceInterrupted as interrupt:
         until = interrupt.stretch
         motion = LoopMotion(loop, float(until.duration), Outcome.INTERRUPTED, until.log)

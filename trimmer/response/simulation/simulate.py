@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, overload
 
-from trimmer.arguments import MOST_EVENTS, real_number, whole_number
+from trimmer.arguments import MOST_EVENTS, positive_number, whole_number
 from trimmer.mechanism.mechanism import Mechanism
 
 if TYPE_CHECKING:
@@ -109,8 +108,7 @@ def _of_mechanism(
     from trimmer.response.simulation.motion import MechanismMotion
     from trimmer.response.starts import instant_of
 
-    if not 0 < real_number("duration", duration, "s") < math.inf:
-        raise ValueError(f"duration must be positive and finite (s), not {duration!r}")
+    duration = positive_number("duration", duration, "s")
     flow = MechanismFlow(mechanism)
     events, steps = whole_number("event_limit", event_limit, 1), whole_number("step_limit", step_limit, 1)
-    return MechanismMotion(flow, flow.timed(instant_of(flow, state), float(duration), steps, events))
+    return MechanismMotion(flow, flow.timed(instant_of(flow, state), duration, steps, events))
