@@ -187,8 +187,7 @@ class LoopFlow(Flow):
 
     def forces(self, course: Course, times: Reals) -> Mapping[str, Reals]:
         """Return the output of each component at times, s, that do not decrease."""
-        states, system = course.states(times), self.modes.system
-        rows = np.searchsorted(course.log.start, times, side="right") - 1
+        (rows, states), system = course.at(times), self.modes.system
         found = np.empty((len(system.interconnection.labels), len(times)))
         for at, (row, state) in enumerate(zip(rows, states, strict=True)):
             mode = self.modes[int(course.log.mode[row])]

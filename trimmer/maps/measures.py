@@ -91,8 +91,7 @@ def of_window(flow: Flow, course: Course, periods: int) -> CellMeasures:
     mechanism, log, machine = flow.mechanism, course.log, flow.modes.system.machine
     count, bodies = periods * SAMPLES, len(mechanism.coordinates)
     times = course.duration * (np.arange(count) + 0.5) / count
-    rows = np.searchsorted(log.start, times, side="right") - 1
-    states = course.states(times)
+    rows, states = course.at(times)
     layout = flow.modes.system.layout
     weights = np.array([layout.weights(name) for name in layout.shaken])
     accelerations = product(_accelerations(course, rows, states, bodies), weights)

@@ -100,8 +100,7 @@ def _spectra(flow: Flow, course: Course, measured: int, segment: int) -> Reals:
     """
     seen, count = min(measured, segment), segment * SAMPLES
     times = course.duration * (1.0 - seen / measured * (1.0 - np.arange(seen * SAMPLES) / (seen * SAMPLES)))
-    rows = np.searchsorted(course.log.start, times, side="right") - 1
-    samples = read(course, flow.outputs.values(), rows, course.states(times))
+    samples = read(course, flow.outputs.values(), *course.at(times))
     samples = np.resize(samples - samples.mean(axis=0), (count, samples.shape[1]))
     window = 1.0 - np.cos(2 * np.pi * np.arange(count) / count)
     waves = np.fft.rfft(samples * window[:, None], axis=0)

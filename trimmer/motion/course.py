@@ -58,6 +58,11 @@ class Course:
         """Return the extended states, (times, N), at times, s, that do not decrease."""
         return sample(self.modes.tables, self.log, times)
 
+    def at(self, times: Reals) -> tuple[Integers, Reals]:
+        """Return rows of the log, (times,), and states in them, at times, s, that do not decrease."""
+        rows = np.searchsorted(self.log.start, times, side="right") - 1
+        return rows.astype(np.int64, copy=False), self.states(times)
+
     def instant(self, time: float) -> Instant:
         """Return a motion without a drive at a time, s, amid a segment, where nothing happens."""
         row = int(np.searchsorted(self.log.start, time, side="right")) - 1

@@ -93,8 +93,7 @@ def _from(course: Course, signal: Signal, begin: float, sign: float) -> TurningP
     later = found.times >= begin
     if later.all():
         return found._replace(values=sign * found.values)
-    states = course.states(np.array([begin]))
-    rows = np.searchsorted(course.log.start, [begin], side="right") - 1
+    rows, states = course.at(np.array([begin]))
     start = TurningPoints(np.array([begin]), rows, along(course, signal, rows, states))
     kept = (each[later] for each in found)
     times, rows, values = (np.concatenate(pair) for pair in zip(start, kept, strict=True))

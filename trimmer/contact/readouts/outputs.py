@@ -139,8 +139,7 @@ def forces_at(mechanism: Mechanism, course: Course, times: Reals) -> Mapping[str
 
     What is only rounding of the terms that make up a force is zero.
     """
-    states = course.states(times)
-    rows = np.searchsorted(course.log.start, times, side="right") - 1
+    rows, states = course.at(times)
     parts = (*mechanism.links, *mechanism.plays, *mechanism.stops, *mechanism.walls, *mechanism.frictions)
     signals = {name: force_signal(mechanism, course.modes, name) for name in parts}
     signals |= {name: control_signal(course.modes, name) for name in mechanism.controllers}

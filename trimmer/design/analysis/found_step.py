@@ -4,8 +4,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 
-import numpy as np
-
 from trimmer.contact.readouts.control_readouts import control_signal
 from trimmer.design.analysis.motion_signals import MotionSignals, signals_of
 from trimmer.design.specification.targets import Measure, followers
@@ -85,8 +83,7 @@ def _signals(response: StepResponse) -> MotionSignals:
     """Return reference, output and control, with contact and stick, until little moves any more."""
     flow, course, step = response.motion.flow, response.motion.course, response.step
     whole = signals_of(flow, course, response.shown_until / course.duration)
-    rows = np.searchsorted(course.log.start, whole.times, side="right") - 1
-    control = along(course, control_signal(flow.modes, response.controller), rows, course.states(whole.times))
+    control = along(course, control_signal(flow.modes, response.controller), *course.at(whole.times))
     unit, force = response.units
     return replace(
         whole,

@@ -100,8 +100,7 @@ def hand_arm_of_samples(course: Course, rms: Mapping[str, float], rate: float) -
     """Weight the vibration of each body over a window of what does not repeat; rms is in m/s², rate in Hz."""
     count = int(course.duration * rate)
     times = course.duration * (np.arange(count) + 0.5) / count
-    states, taper = course.states(times), np.hanning(count)
-    rows = np.searchsorted(course.log.start, times, side="right") - 1
+    (rows, states), taper = course.at(times), np.hanning(count)
     frequency = np.asarray(np.fft.rfftfreq(count, course.duration / count), dtype=np.float64)
     weights = abs(hand_arm_weighting(frequency))
     found = {}

@@ -50,8 +50,7 @@ def signals_of(flow: Flow, course: Course, share: float) -> MotionSignals:
     layout, log = flow.modes.system.layout, course.log
     end = share * course.duration
     times = np.union1d(np.linspace(0.0, end, POINTS), log.start[log.start <= end])
-    states = course.states(times)
-    rows = np.searchsorted(log.start, times, side="right") - 1
+    rows, states = course.at(times)
     contacts = len(layout.contacts)
     return MotionSignals(
         times,

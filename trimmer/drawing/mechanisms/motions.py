@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 from matplotlib.axes import Axes
 
-from trimmer.arrays import Integers, Reals
+from trimmer.arrays import Reals
 from trimmer.drawing.axes import add_legend, finish
 from trimmer.drawing.dispatch import draw
 from trimmer.drawing.look import BLACK, line, plain_label
@@ -42,7 +42,7 @@ def draw_orbit(orbit: Orbit, axes: Axes) -> None:
 def draw_motion(flow: Flow, course: Course, axes: Axes, *, travels: bool = False) -> None:
     """Draw outputs over time, s, with contact and stick marked, and what they travel if that is wanted."""
     times = np.linspace(0.0, course.duration, POINTS)
-    states, rows = course.states(times), _rows(course, times)
+    rows, states = course.at(times)
     signals = signals_of(flow)
     alike = len({each.unit for each in signals.values()}) == 1
     for number, (name, each) in enumerate(signals.items()):
@@ -62,20 +62,16 @@ def _shown(units: Iterable[str]) -> tuple[str, str]:
     return WORDS.get(unit, "signals"), unit
 
 
-def _rows(course: Course, times: Reals) -> Integers:
-    return np.asarray(np.searchsorted(course.log.start, times, side="right") - 1)
-
-
 def draw_phase_plane(flow: Flow, course: Course, axes: Axes) -> None:
     """Draw the rate of the first output over itself; dots mark the starts of drive periods."""
     (name, first), *_ = signals_of(flow).items()
     plane = first, replace(first, signal=rate(flow.modes, first.signal))
     times = np.linspace(0.0, course.duration, POINTS)
-    curve = read(course, plane, _rows(course, times), course.states(times)).T
+    curve = read(course, plane, *course.at(times)).T
     axes.plot(*curve, color=line(0)["color"], linewidth=0.9)
     if flow.period:
         starts = np.arange(0.0, course.duration * (1 - 1e-9), flow.period)
-        points = read(course, plane, _rows(course, starts), course.states(starts)).T
+        points = read(course, plane, *course.at(starts)).T
         axes.plot(*points, "o", color=BLACK, markersize=4, label="start of a drive period")
     _name_plane(axes, name, first.unit)
     add_legend(axes)

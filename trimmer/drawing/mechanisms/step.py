@@ -22,7 +22,7 @@ def step_figure(response: StepResponse) -> Figure:
     above, below = figure.subplots(2, height_ratios=[3, 2], sharex=True)
     times = np.union1d(np.linspace(0.0, until, POINTS), course.log.start)
     times = times[times <= until]
-    states, rows = course.states(times), np.searchsorted(course.log.start, times, side="right") - 1
+    rows, states = course.at(times)
     output, control = flow.outputs[response.output].signal, control_signal(flow.modes, response.controller)
     wanted = step.reference(times)
     above.plot(times, wanted, drawstyle="steps-post", label=response.reference, linewidth=1.0, **line(0))

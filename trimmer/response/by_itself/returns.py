@@ -115,8 +115,7 @@ def _growth(flow: Flow, course: Course, times: Reals) -> Reals:
     """Return the logarithms of the growth of a distance between times, s, at which nothing happens."""
     sizes, log = sizes_of(course), course.log
     distance = np.random.default_rng(SEED).normal(size=flow.size)
-    states = course.states(times)
-    rows = np.searchsorted(log.start, times, side="right") - 1
+    rows, states = course.at(times)
     found = []
     for place in range(len(times) - 1):
         first, last = int(rows[place]), int(rows[place + 1]) + 1

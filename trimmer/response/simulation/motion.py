@@ -304,9 +304,8 @@ class MechanismMotion(Motion):
     def _at(self, times: ArrayLike, values_at: Callable[[Integers, Reals], Reals]) -> Reals:
         """Return what rows of the log and extended states in them give, in the shape of the times, s."""
         instants, rising, order = ordered(times, self.duration)
-        rows = np.searchsorted(self.course.log.start, rising, side="right") - 1
         values = np.empty(len(rising))
-        values[order] = values_at(rows.astype(np.int64), self.course.states(rising))
+        values[order] = values_at(*self.course.at(rising))
         return values.reshape(instants.shape)
 
 

@@ -251,8 +251,7 @@ class _Window:
             for signal in self.flow.accelerations.values()
         ]
         count = self.steps * self.together
-        times = course.duration * np.arange(count) / count
-        rows, sampled = np.searchsorted(course.log.start, times, side="right") - 1, course.states(times)
+        rows, sampled = course.at(course.duration * np.arange(count) / count)
         return (
             self._growth(course),
             nodes.weights @ signals / duration,

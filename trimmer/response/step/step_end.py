@@ -127,8 +127,7 @@ def _at_rest(
 
 def read_at(flow: MechanismFlow, course: Course, output: str, times: Reals) -> Reals:
     """Return an output at times that do not decrease, in its unit, (n,)."""
-    rows = np.searchsorted(course.log.start, times, side="right") - 1
-    return along(course, flow.outputs[output].signal, rows, course.states(times))
+    return along(course, flow.outputs[output].signal, *course.at(times))
 
 
 def _end(
