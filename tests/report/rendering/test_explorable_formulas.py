@@ -49,15 +49,18 @@ def solved(page, **settings: float) -> list[dict]:
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize(("damping", "share"), [(0.4, 0.0), (0.4, 1.0), (1.3, 0.0), (0.05, 1.0)])
-def test_the_inverse_response_is_that_of_the_library(page, damping, share):
+@pytest.mark.parametrize(("damping", "share"), [(0.4, 0.0), (0.4, 1.0), (1.3, 0.0), (1.3, 1.0), (0.05, 1.0)])
+def test_responses_are_those_of_the_library(page, damping, share):
+    """The inverse of that to the pin, and that to friction of cutter on guard, relative to the pin's."""
     parameters = TrimmerParameters(**{**vars(PARAMETERS), "c2": damping})
-    channels = InputChannels.DISPLACEMENT_AND_VELOCITY if share else InputChannels.DISPLACEMENT_ONLY
-    system = transfer_function(parameters, channels=channels)
+    channels = InputChannels.DISPLACEMENT_AND_VELOCITY if share else PIN
+    pin, pair = transfer_function(parameters, channels=channels), force_response(parameters)
     for omega in (2 * math.pi * frequency for frequency in FREQUENCIES):
-        found = in_page(page, "inverseResponse", omega, damping, share)
-        inverse = 1 / complex(response_at(system, omega))
-        assert abs(complex(found["real"], found["imaginary"]) / inverse - 1) < CLOSE
+        to_pin = complex(response_at(pin, omega))
+        rubbing = parameters.k2 * complex(response_at(pair, omega)) / to_pin
+        for name, expected, close in (("inverseResponse", 1 / to_pin, CLOSE), ("rubbing", rubbing, 1e-9)):
+            found = in_page(page, name, omega, damping, share)
+            assert abs(complex(found["real"], found["imaginary"]) / expected - 1) < close
 
 
 @pytest.mark.browser
@@ -129,18 +132,6 @@ def test_friction_ends_the_limit_cycle_and_the_gap_only_scales_it(page):
     # The load of the page is not quite without mass: its flight shifts the force by less than a hundredth.
     assert len(solved(page, load=1e-6, force=0.98 * most)) == 2
     assert solved(page, load=1e-6, force=1.02 * most) == []
-
-
-@pytest.mark.browser
-@pytest.mark.parametrize(("damping", "share"), [(0.4, 0.0), (1.3, 1.0)])
-def test_friction_rubs_between_cutter_and_guard(page, damping, share):
-    parameters = TrimmerParameters(**{**vars(PARAMETERS), "c2": damping})
-    channels = InputChannels.DISPLACEMENT_AND_VELOCITY if share else PIN
-    pin, pair = transfer_function(parameters, channels=channels), force_response(parameters)
-    for omega in (2 * math.pi * frequency for frequency in FREQUENCIES):
-        found = in_page(page, "rubbing", omega, damping, share)
-        expected = parameters.k2 * complex(response_at(pair, omega)) / complex(response_at(pin, omega))
-        assert abs(complex(found["real"], found["imaginary"]) / expected - 1) < 1e-9
 
 
 def test_the_formulas_are_small_and_hold_no_foreign_code(printed):

@@ -70,15 +70,6 @@ def test_the_domain_ends_where_the_flight_takes_half_a_period(gamma: float) -> N
     assert np.isnan(outside)
 
 
-def test_inertia_is_the_closed_form_of_the_thesis() -> None:
-    """Equation 2.43 of the thesis with the contact angle φ for g/A = φ - sin φ."""
-    angle = np.linspace(0.1, 3.1, 50)
-    amplitude = 1 / (angle - np.sin(angle))
-    real = (np.pi + 2 * np.sin(angle) - angle - np.sin(angle) * np.cos(angle)) / np.pi
-    value = InertiaBacklash(1.0).describing_function(amplitude)
-    assert value == pytest.approx(real - 1j * (1 - np.cos(angle)) ** 2 / np.pi, abs=1e-12)
-
-
 def test_the_viscous_case_tends_to_friction_with_gamma_squared_and_to_inertia_with_its_reciprocal() -> None:
     amplitude = np.array([0.6, 1.0, 3.0])
     for limit, exponents, order in ((FrictionBacklash(1.0), (-3, -4), 2), (InertiaBacklash(1.0), (3, 4), 1)):

@@ -7,11 +7,10 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from tests.quick import quick
 from tests.trimmer.trimmers import stable_systems
 from trimmer import TrimmerParameters, pin_model, transfer_function
 from trimmer.linear import PointOnLocusError, UnsupportedSystemError, encirclements, real_axis_crossings
-from trimmer.thesis import Displacement, InputChannels, TrimmerBody
+from trimmer.thesis import Displacement, TrimmerBody
 
 THESIS = TrimmerParameters.thesis()
 CUTTER = Displacement(TrimmerBody.CUTTER)
@@ -22,15 +21,6 @@ def winding(system: control.lti.LTI, point: float, omega: np.ndarray) -> int:
     """Clockwise turns of G(j omega) - point, from the phase of python-control's samples."""
     count = control.nyquist_response(system / -point, omega=omega, warn_encirclements=False).count
     return int(count)
-
-
-@pytest.mark.parametrize("build", quick([pin_model, transfer_function], 0))
-@pytest.mark.parametrize("channels", InputChannels)
-@pytest.mark.parametrize("point", quick([-20.0, -5.0, -1.0, -0.1, 0.5, 0.97, 1.2, 5.0], 5))
-def test_encirclements_by_the_thesis_trimmer_are_those_of_python_control(build, channels, point) -> None:
-    system = build(THESIS, channels=channels)
-    omega = np.geomspace(1, 1e6, 5_001)
-    assert encirclements(system, point) == winding(system, point, omega)
 
 
 @settings(max_examples=10)

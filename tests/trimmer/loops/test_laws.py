@@ -1,7 +1,6 @@
 """Laws that every motion obeys: scaling, symmetry, shift of the start, the linear limit."""
 
 import math
-from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -11,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import trimmers
-from trimmer import CoulombFriction, Motion, TrimmerParameters, ViscousBacklash, ViscousFriction, simulate
+from trimmer import CoulombFriction, Motion, TrimmerParameters, ViscousBacklash, simulate
 from trimmer.loops import BodyFriction, Drive, Outcome, TrimmerLoop
 from trimmer.thesis import Displacement, InputChannels, TrimmerBody
 
@@ -130,19 +129,3 @@ def test_without_play_and_friction_it_is_the_matrix_exponential(parameters, driv
     else:
         assert driven is False
     assert motion.events == ()
-
-
-@settings(max_examples=10)
-@given(trimmers(), st.floats(0.01, 10.0))
-def test_viscous_friction_is_a_damper(parameters: TrimmerParameters, damping: float) -> None:
-    drive = Drive(AMPLITUDE, OMEGA)
-    friction = BodyFriction(SHELL, ViscousFriction(damping))
-    times = np.linspace(0.0, 0.01, 20)
-    found, expected = (
-        simulate(loop, 0.01).state(times)[:4]
-        for loop in (
-            TrimmerLoop(parameters, None, drive, frictions=(friction,)),
-            TrimmerLoop(replace(parameters, c4=parameters.c4 + damping), None, drive),
-        )
-    )
-    assert found == pytest.approx(expected, abs=1e-10 * abs(expected).max())

@@ -110,15 +110,6 @@ def test_viscous_friction_is_damping() -> None:
     assert motion.output(times) == pytest.approx(response.outputs, abs=1e-12)
 
 
-def test_a_transfer_function_moves_as_its_state_space_model() -> None:
-    system = control.tf([4.0], [1.0, 1.3, 3.0, 1.0])
-    times = np.linspace(0.0, 5.0, 20)
-    motions = [
-        simulate(ClosedLoop(form, FrictionBacklash(GAP)), 5.0, impulse=1.0) for form in (system, THIRD_ORDER)
-    ]
-    assert motions[0].output(times) == pytest.approx(motions[1].output(times), abs=1e-12)
-
-
 PUSH = Drive(0.3, 2.0 * math.pi)
 TIMES = np.linspace(0.0, 3.0, 301)
 

@@ -19,7 +19,7 @@ from trimmer import ClosedLoop, Drive, OpenLoop, Relay, Saturation, forced_orbit
 from trimmer.elements import FrictionBacklash
 from trimmer.errors import TrimmerError
 from trimmer.mechanism import Body, Force, Friction, Link, Mechanism, Output, Pid
-from trimmer.proof import Proof, check_proof, prove_orbit
+from trimmer.proof import Proof, prove_orbit
 from trimmer.response.periodic.orbit import Orbit
 from trimmer.thesis import TrimmerParameters, pin_model
 
@@ -107,17 +107,6 @@ def test_an_orbit_of_another_machine_is_none() -> None:
         refused = prove_orbit(other, orbit)
         assert refused.verdict in ("refuted", "undecided")
         assert refused.theorem == ""
-
-
-@pytest.fixture(scope="module")
-def proof() -> Proof:
-    orbit = ORBITS["stable loop"]()
-    return prove_orbit(orbit.subject, orbit)
-
-
-def test_a_file_as_it_was_written_is_proven_again(proof: Proof, tmp_path: Path) -> None:
-    proof.write(tmp_path / "orbit.json")
-    assert check_proof(tmp_path / "orbit.json") == proof
 
 
 def test_a_sampled_motion_has_the_multipliers_of_its_difference_equation() -> None:
