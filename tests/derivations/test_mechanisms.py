@@ -28,22 +28,6 @@ def equal(found, expected):
     return sympy.expand(found - expected) == 0
 
 
-def test_den_hartogs_oscillator():
-    """m x'' + k x + F sgn x' = P: Den Hartog, Trans. ASME 53, 1931."""
-    block = BODIES[0]
-    rubbing, drive = friction("floor", GROUND, block, viscous=False), force("P", block)
-    mechanism = Mechanism((block,), (Spring(k, GROUND, block),), (), (), (), (rubbing,), (drive,))
-    derivation = derive_mechanism(mechanism)
-    (found,) = derivation.motion.resultant_forces
-    assert equal(found, drive.value - k * q1 - rubbing.force)
-    (law,) = derivation.frictions
-    assert law.rate == rate(q1)
-    assert law.sliding == rubbing.kinetic * sympy.sign(rubbing.rate)
-    assert equal(law.held, drive.value - k * q1), "in stick friction carries what spring and drive leave"
-    assert derivation.motion.space.a == sympy.Matrix([[0, 1], [-k / m1, 0]])
-    assert derivation.motion.space.b == sympy.Matrix([[0, 0], [1 / m1, -1 / m1]])
-
-
 def test_block_on_a_belt():
     block, belt = BODIES[0], pin("w", GROUND)
     rubbing = friction("belt", belt, block)
@@ -79,20 +63,6 @@ def test_two_mass_servo_with_backlash():
     assert equal(first, control + shaft)
     assert equal(second, -shaft)
     assert equal(derivation.closed.potential_energy, k * (q1 - r) ** 2 / 2 + gear.stiffness * stretch**2 / 2)
-
-
-def test_two_plays_in_series():
-    first, second = play("a", GROUND, BODIES[0]), play("b", BODIES[0], BODIES[1], damping=False)
-    derivation = derive_mechanism(Mechanism(BODIES[:2], (), (), (), (first, second)))
-    forces = derivation.motion.resultant_forces
-    assert equal(forces[0], second.tension - first.tension)
-    assert equal(forces[1], -second.tension)
-    wanted = sympy.Matrix([[first.stiffness + second.stiffness, -second.stiffness], [-second.stiffness] * 2])
-    wanted[1, 1] = second.stiffness
-    matrices = derivation.closed.matrices
-    assert matrices.stiffness == wanted
-    loads = [first.stiffness * first.side * first.gap / 2, second.stiffness * second.side * second.gap / 2]
-    assert matrices.constant_force == sympy.Matrix([loads[0] - loads[1], loads[1]])
 
 
 def test_stop_with_preload_pushes_its_ends_apart_in_contact():

@@ -82,14 +82,6 @@ def test_backlash_and_coulomb_friction(octave_run):
     same(complexes(octave_run.grid["combined"]), expected)
 
 
-def test_friction_backlash_in_time(octave_run):
-    first_push = points.TIMES > 0.5 / points.FREQUENCY
-    phase = 2 * np.pi * points.FREQUENCY * points.TIMES[first_push]
-    expected = FrictionBacklash(points.GAP).waveform(phase, points.AMPLITUDE)
-    values = np.array(octave_run.grid["friction_motion"])[first_push]
-    np.testing.assert_allclose(values, expected, rtol=0, atol=RELATIVE * points.AMPLITUDE)
-
-
 def test_friction_backlash_moves_only_when_it_is_pushed(octave_run):
     """What defines the element, on a random walk: inside the play always, and moving at a wall only."""
     load, half = np.array(octave_run.grid["walk"]), 0.5 * points.GAP
@@ -100,10 +92,17 @@ def test_friction_backlash_moves_only_when_it_is_pushed(octave_run):
     np.testing.assert_allclose(np.abs(distance[moved]), half, rtol=RELATIVE)
 
 
-def test_inertia_backlash_in_time(octave_run):
-    phase = 2 * np.pi * points.FREQUENCY * points.TIMES
-    expected = InertiaBacklash(points.GAP).waveform(phase, points.AMPLITUDE)
-    values = np.array(octave_run.grid["inertia_motion"])
+@pytest.mark.parametrize(
+    ("name", "element", "begin"),
+    [
+        ("friction_motion", FrictionBacklash(points.GAP), 0.5 / points.FREQUENCY),  # from the first push on
+        ("inertia_motion", InertiaBacklash(points.GAP), -1.0),
+    ],
+)
+def test_backlash_in_time(octave_run, name, element, begin):
+    times = begin < points.TIMES
+    expected = element.waveform(2 * np.pi * points.FREQUENCY * points.TIMES[times], points.AMPLITUDE)
+    values = np.array(octave_run.grid[name])[times]
     np.testing.assert_allclose(values, expected, rtol=0, atol=RELATIVE * points.AMPLITUDE)
 
 

@@ -75,10 +75,8 @@ BELT = str(EXAMPLES / "block-on-belt.toml")
     "words",
     [
         [*MOTION, "--plot", "a.svg"],
-        [*MOTION, "--csv", "a.csv"],
         [*MOTION, "--output", "stroke", "--wav", "a.wav"],
         ["spectrum", "record.csv", "--csv", "a.csv"],
-        ["spectrum", "record.csv", "--wav", "a.wav"],
         ["derive", BELT, "--latex", "other.tex", "--module", "a.py"],
         ["derive", BELT, "--module", "other.py", "--latex", "a.tex"],
         ["map", TWIN, "--vary", "frequency=60:61:2", "--periods", "2", "--output", "a.jsonl"],
