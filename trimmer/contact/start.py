@@ -30,7 +30,7 @@ from trimmer.contact.modes.system import MechanismSystem
 from trimmer.contact.modes.transitions import held_parts
 from trimmer.errors import MechanismError
 from trimmer.hybrid.stretch import Instant
-from trimmer.hybrid.system import ARRIVED, NO_STATE, STRUCK
+from trimmer.hybrid.system import ARRIVED, NO_STATE
 from trimmer.hybrid.tables import Modes
 from trimmer.hybrid.tabulated_change import AT_REST
 from trimmer.mechanism.kinds import kind_of_part
@@ -62,7 +62,7 @@ def instant_at(
     frictions = [
         STICK if rest else FORWARD if v > 0 else BACKWARD for v, rest in zip(speeds, slow, strict=True)
     ]
-    walls, reached, resting = (LOOSE for _ in machine.restitution), np.zeros(0), np.zeros(0, dtype=bool)
+    walls, resting = (LOOSE for _ in machine.restitution), np.zeros(0, dtype=bool)
     if len(machine.restitution):
         distances, rates = machine.wall_distance @ extended, machine.wall_rate @ extended
         reached = abs(distances) <= NEARLY * (abs(machine.wall_distance) @ largest)
@@ -76,8 +76,6 @@ def instant_at(
         held = held_parts(machine, statuses)
         begun = [part for part in machine.holds[at_rest].tolist() if part not in held]
         zeros[begun, ARRIVED] = 1
-    if len(machine.restitution):
-        zeros[machine.holds[len(frictions) :], STRUCK] = np.where(reached, 1 + resting, 0)
     return Instant(extended[: layout.state_count], statuses, 0, phase, zeros, negligible)
 
 
