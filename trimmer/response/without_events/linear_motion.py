@@ -59,11 +59,10 @@ class LinearMotion:
     @property
     def sizes(self) -> Reals:
         """Scale of each state, (n,): those of one kind share theirs."""
-        terms = abs(self.mean) + abs(self.waves).sum(axis=0) + abs(self.parts).sum(axis=0)
         layout = self.flow.modes.system.layout
-        terms *= layout.lengths
-        sizes: Reals = terms.copy()
         moving = layout.lengths * (abs(self.waves).sum(axis=0) + abs(self.parts).sum(axis=0))
+        terms = moving + layout.lengths * abs(self.mean)
+        sizes: Reals = terms.copy()
         for kind in layout.kinds:
             sizes[kind] = (moving if kind in layout.rates else terms)[kind].max(initial=0.0)
         sizes[layout.kinds[-1].stop :] = sizes[layout.kinds[0]].max(initial=0.0)
