@@ -4,7 +4,6 @@ import copy
 import pickle
 from collections.abc import Callable
 
-import control
 import numpy as np
 import pytest
 
@@ -95,14 +94,6 @@ def test_motions_can_be_read_as_before(loop, copied: Callable) -> None:
     assert (again.outcome, again.success, again.message) == (motion.outcome, True, motion.message)
     if isinstance(loop, TrimmerLoop):
         assert energy_balance(again) == energy_balance(motion)
-
-
-def test_systems_keep_their_labels_and_matrices(copied: Callable) -> None:
-    system = control.ss([[0.0, 0.0], [0.0, -1.0]], [[0.0], [1.0]], [[0.0, 1.0]], 0.0, states=["idle", "x"])
-    again = copied(ClosedLoop(system, PLAY)).system
-    for name in "ABCD":
-        np.testing.assert_array_equal(getattr(again, name), getattr(system, name))
-    assert (again.dt, again.state_labels, again.input_labels) == (0, ["idle", "x"], system.input_labels)
 
 
 def test_orbits_are_as_before(copied: Callable) -> None:

@@ -6,7 +6,7 @@ import pytest
 import scipy.special
 
 from tests.quick import quick
-from trimmer import ClosedLoop, ViscousBacklash, WrongTypeError, harmonic_balance, limit_cycles, simulate
+from trimmer import ClosedLoop, WrongTypeError, harmonic_balance, limit_cycles, simulate
 from trimmer.elements import DeadZone, Element, OwnElement, Preload, Relay, Saturation, StaticElement
 from trimmer.errors import UndecidedWarning, UnsupportedElementError, UnsupportedMotionError
 
@@ -152,17 +152,6 @@ def test_limit_cycles_of_an_element_that_depends_on_frequency() -> None:
     assert late * PLANT(1j * cycle.omega) == pytest.approx(-1.0, abs=1e-8)
     assert balance.certificate.omegas == pytest.approx((0.5, 5.0))
     assert "run away with its mean" in balance.certificate.doubts[1]
-
-
-@pytest.mark.slow
-def test_sums_with_own_elements_are_not_certain_either() -> None:
-    total = StaticElement(saturated, 0.5, (0.5,)) + 0.1 * DeadZone(0.5)
-    balance = harmonic_balance(PLANT, total)
-    (own,) = balance.limit_cycles
-    (known,) = harmonic_balance(PLANT, Saturation(0.5, 0.8) + 0.1 * DeadZone(0.5)).limit_cycles
-    assert own.amplitude == pytest.approx(known.amplitude, rel=1e-9)
-    assert not balance.certificate.complete
-    assert not (total + ViscousBacklash(1.0, 1.0)).has_bounds
 
 
 def test_an_element_that_is_not_odd_is_refused() -> None:

@@ -5,21 +5,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.trimmer.trimmers import stable_systems
-from trimmer.linear import InputChannels, UnsupportedSystemError, ZeroPoleGain, pin_model, transfer_function
-from trimmer.thesis import Displacement, TrimmerBody, TrimmerParameters
+from trimmer.linear import UnsupportedSystemError, ZeroPoleGain, pin_model, transfer_function
+from trimmer.thesis import TrimmerParameters
 
 THESIS = TrimmerParameters.thesis()
-
-
-@pytest.mark.parametrize("channels", InputChannels)
-@pytest.mark.parametrize("body", TrimmerBody)
-def test_both_forms_of_the_trimmer_have_the_same_factors(body: TrimmerBody, channels: InputChannels) -> None:
-    output = Displacement(body)
-    from_states = ZeroPoleGain.of(pin_model(THESIS, output, channels))
-    from_polynomials = ZeroPoleGain.of(transfer_function(THESIS, output, channels))
-    assert from_states.gain == pytest.approx(from_polynomials.gain, rel=1e-9)
-    assert from_states.poles == pytest.approx(from_polynomials.poles, rel=1e-9)
-    assert from_states.zeros == pytest.approx(from_polynomials.zeros, rel=1e-6)
 
 
 @settings(max_examples=10)

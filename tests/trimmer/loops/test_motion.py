@@ -103,14 +103,6 @@ def test_samples_are_the_dense_output() -> None:
     assert motion.state([]).shape == (8, 0)
 
 
-def test_output_is_that_of_the_model() -> None:
-    system = control.ss([[-1.0, -4.0], [1.0, 0.0]], [[1.0], [0.0]], [[0.5, 2.0]], 0)
-    motion = simulate(ClosedLoop(system, FrictionBacklash(0.1)), 5.0, impulse=1.0)
-    times = np.linspace(0.0, 5.0, 30)
-    assert motion.output(times) == pytest.approx(system.C[0] @ motion.state(times), rel=1e-12, abs=1e-15)
-    assert np.array_equal(motion.element_input(times), -motion.output(times))
-
-
 def test_a_longer_motion_begins_as_a_shorter_one() -> None:
     """The log grows and modes are tabulated on the way, which must not show."""
     loop = TrimmerLoop(THESIS, FrictionBacklash(4e-5))
