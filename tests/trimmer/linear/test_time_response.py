@@ -119,6 +119,7 @@ TIMES = np.arange(3.0)
         (TIMES, np.zeros(3) * 1j, "inputs must be a real number"),
         (np.array([0.0, 1.0, 3.0]), TIMES, r"times must be at equal distances.*after 1\.0 s.*2\.0 s"),
         (np.array([0.0, 1e-7, 2.1e-7]), TIMES, "times must be at equal distances"),
+        (np.array([0.0, 2.0, 3.0]), TIMES, "times must be at equal distances"),
         (np.zeros(3), TIMES, r"times must rise.*before the inputs"),
         (np.sin(TIMES * 3), TIMES, "times must rise"),
         (TIMES[::-1], TIMES, "times must rise"),
