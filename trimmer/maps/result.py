@@ -14,7 +14,7 @@ from trimmer.errors import MapError
 from trimmer.maps.cell_motion import described, waited_for
 from trimmer.mechanism.place_text import parse_place, unit_of
 from trimmer.motion.chosen import chosen_measure
-from trimmer.response.flows import called, flow_of, is_silent
+from trimmer.response.flows import called, flow_of, is_silent, searched
 from trimmer.response.results.response import MotionKind
 from trimmer.showing.drawn import Drawn, drawn
 from trimmer.showing.shown import Tabular, counted
@@ -293,10 +293,7 @@ def _searched(result: MotionMap) -> str:
     own = f"the {called(subject)}'s own start" if getattr(subject, "start", None) else "rest"
     own = "a start of its own" if any(parse_place(each)[0] == "start" for each in result.places) else own
     if is_silent(subject):
-        found = "the stable orbits that are found near predictions of harmonic balance or by simulation"
-        leads = ", and what they lead to with friction" if getattr(subject, "frictions", ()) else ""
-        ends = "where none is, how simulations end, if there were any"
-        return f"{counted(count, 'cell')}, in each {found}{leads}; {ends}"
+        return f"{counted(count, 'cell')}, in each {searched(subject)}"
     several = int((result.motion_count > 1).sum())
     begun = f"{counted(count, 'cell')}, each from {own}"
     if settings.starts > 1:

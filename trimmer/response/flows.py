@@ -117,6 +117,15 @@ def is_silent(subject: Subject) -> bool:
     return without_drive and not getattr(subject, "start", None)
 
 
+def searched(loop: Subject) -> str:
+    """Return what is looked for in a loop at rest, in words."""
+    leads = ", and what they lead to with friction" if getattr(loop, "frictions", ()) else ""
+    return (
+        f"the stable orbits that are found near predictions of harmonic balance or by simulation{leads}; "
+        "where none is, how simulations end, if there were any"
+    )
+
+
 def require_subject(subject: object) -> None:
     """Check that something was given that moves.
 

@@ -127,7 +127,7 @@ def sample_limit_cycles(
 ) -> LimitCycleSamples:
     """Draw samples of the thesis's loop with friction-controlled play, and predict their limit cycles.
 
-    They are those of harmonic balance; ``sample`` follows exact motions of a loop that is driven.
+    They are those of harmonic balance; ``sample`` finds exact motions of a loop.
 
     Args:
         file: The loop, and what scatters.

@@ -10,7 +10,7 @@ from trimmer.design.trials.trial import MeasureOfPart, all_measures
 from trimmer.errors import TrimmerError, UncertaintyError
 from trimmer.maps.inputs import varied
 from trimmer.motion.subject import Subject
-from trimmer.response.flows import is_silent, require_subject
+from trimmer.response.flows import require_subject
 from trimmer.uncertainty.distributions import Uncertainty
 from trimmer.uncertainty.indices import require_independent, saltelli_points
 from trimmer.uncertainty.points import Plan
@@ -102,14 +102,11 @@ def sample_inputs(
     """Draw samples, and check which of them are possible.
 
     Raises:
-        UncertaintyError: if a loop has no drive, too many samples are impossible, or indices of
-            dependent numbers are wanted.
+        UncertaintyError: if too many samples are impossible, or indices of dependent numbers are wanted.
         MechanismError: if there is no number at a place.
     """
     settings, values = drawn_values(uncertainty, settings, indices=indices)
     require_subject(subject)
-    if is_silent(subject):
-        raise UncertaintyError("the loop has no drive, and from rest it stays there: give it one")
     for place in uncertainty.places:
         subject.value(place)
     reasons = [_reason_against(subject, uncertainty.places, tuple(row)) for row in values.tolist()]

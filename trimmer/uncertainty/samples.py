@@ -18,7 +18,7 @@ from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
 from trimmer.progress import progress_bar
 from trimmer.response.by_itself.self_excited import STRETCHES
-from trimmer.response.flows import called, flow_of
+from trimmer.response.flows import called, flow_of, is_silent, searched
 from trimmer.response.periodic.pace import is_driven, pace_of, waited
 from trimmer.response.results.response import MotionKind
 from trimmer.runners import ProcessRunner, Runner, SerialRunner
@@ -126,6 +126,8 @@ class Samples(Tabular, Drawn):
         inputs = self.inputs
         if inputs.stepped:
             return "a step"
+        if is_silent(inputs.subject):
+            return "the search for orbits"
         driven, most = is_driven(inputs.subject), inputs.settings.most_periods
         return waited(inputs.subject, most * pace_of(inputs.subject) if driven else sum(STRETCHES))
 
@@ -141,11 +143,11 @@ class Samples(Tabular, Drawn):
         settings, of_mechanism = self.inputs.settings, isinstance(self.inputs.subject, Mechanism)
         of_loop = "its own start" if getattr(self.inputs.subject, "start", None) else "rest"
         begun = "rest or the file's own start" if of_mechanism else of_loop
-        told = (
-            f"{counted(len(self.inputs.values), 'sample')} ({settings.plan.word}, seed {settings.seed}), "
-            f"each from {begun}, {self._followed}; other "
-            "motions were not looked for."
-        )
+        told = f"{counted(len(self.inputs.values), 'sample')} ({settings.plan.word}, seed {settings.seed}), "
+        if is_silent(self.inputs.subject):
+            told += f"in each the largest of {searched(self.inputs.subject)}."
+        else:
+            told += f"each from {begun}, {self._followed}; other motions were not looked for."
         if assumed := [each.place for each in self.inputs.uncertainty.scatters if each.assumed]:
             told += f" Of {', '.join(assumed)} the file only gives a range, which was taken as uniform."
         if self.impossible:
@@ -185,7 +187,7 @@ def sample(
     A sample belongs to its number: who computes it, and in what order, changes no digit.
 
     Args:
-        subject: The mechanism or loop; a loop has a drive.
+        subject: The mechanism or loop; of a loop at rest it is the largest of its stable orbits.
         uncertainty: What scatters, as ``uncertainty_from`` makes it.
         settings: How samples are drawn and looked at.
         targets: What is wanted.
@@ -194,7 +196,7 @@ def sample(
         quiet: Show no progress bar.
 
     Raises:
-        UncertaintyError: if too many samples are impossible, or a loop has no drive.
+        UncertaintyError: if too many samples are impossible.
         MechanismError, LoopError: if there is no number at a place that scatters.
         WrongTypeError: if it is neither a mechanism nor a loop.
         MapFileError: if the file cannot be gone on with.

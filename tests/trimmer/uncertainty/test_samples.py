@@ -5,11 +5,12 @@ import json
 import math
 from dataclasses import replace
 
+import control
 import numpy as np
 import pytest
 
 from tests.trimmer.problem_machines import machine_text
-from trimmer import MotionKind, SerialRunner, respond, sample
+from trimmer import ClosedLoop, MotionKind, Relay, SerialRunner, respond, sample
 from trimmer.command_line.mechanisms.sample_text import as_json, distribution_lines
 from trimmer.design import Measure, MeasureOfPart, Trial
 from trimmer.errors import MapFileError, UncertaintyError
@@ -24,6 +25,7 @@ from trimmer.uncertainty import (
     SampleStudy,
     sample_mechanism,
     study_samples,
+    uncertainty_from,
 )
 from trimmer.uncertainty.sample_file import sample_file_of_text
 
@@ -188,6 +190,17 @@ def test_without_a_drive_it_rests() -> None:
     assert found.kinds == {"rest": len(found.trials)}
     assert "for at most 1700 periods of its slowest mode" in found.message
     assert "1700 periods of its slowest mode" in found.message
+
+
+def test_a_loop_without_a_drive_has_its_limit_cycle() -> None:
+    """An integrator with a relay goes to and fro between the edges of its hysteresis, whatever its level."""
+    loop = ClosedLoop(control.tf([1], [1, 0]), Relay(1.0, hysteresis=0.1))
+    scatters = {"element.hysteresis": {"uniform": [0.05, 0.2]}, "element.level": {"uniform": [0.5, 2.0]}}
+    found = sample(loop, uncertainty_from(loop, scatters), replace(SETTINGS, count=8), quiet=True)
+    assert found.kinds == {"period 1": 8}
+    assert "in each the largest of the stable orbits" in found.message
+    for trial in found.trials:
+        assert trial.value(Measure.STROKE, "output") == pytest.approx(2 * trial.values[0], rel=1e-9)
 
 
 def test_samples_of_a_sampled_machine_wait_for_as_much_as_a_map() -> None:

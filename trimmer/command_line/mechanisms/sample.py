@@ -111,10 +111,7 @@ def _file(arguments: Namespace) -> SampleFile:
     refuse_unused(arguments, ["balance"], "a mechanism")
     loop = chosen_loop(arguments)
     if loop.drive is None:
-        raise OptionError(
-            "samples are of driven motions: give the loop a drive (--drive HZ --amplitude M); limit cycles "
-            "of the closed loop are predicted by trimmer sample FILE --gap M"
-        )
+        refuse_unused(arguments, ["periods"], "--drive; the orbits of a loop without it are searched for")
     return SampleFile(loop, (), read_uncertainty_of_loop(arguments.parameters, loop))
 
 

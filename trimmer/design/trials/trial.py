@@ -20,7 +20,7 @@ from trimmer.design.specification.targets import (
 )
 from trimmer.errors import TrimmerError
 from trimmer.hybrid.stretch import Ending
-from trimmer.maps.by_itself import came_to
+from trimmer.maps.by_itself import came_to, came_to_in_loop
 from trimmer.maps.inputs import varied
 from trimmer.maps.settle import Settled, settle
 from trimmer.mechanism.coordinates import shaken_ends
@@ -29,7 +29,7 @@ from trimmer.motion.extremes import extremes
 from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures
 from trimmer.motion.subject import Subject
-from trimmer.response.flows import flow_of
+from trimmer.response.flows import flow_of, is_silent
 from trimmer.response.periodic.pace import pace_of
 from trimmer.response.results.response import MotionKind
 from trimmer.response.simulation.switching import Switching, switching
@@ -147,8 +147,12 @@ class TrialWork:
         return Trial(values, kind, None, every)
 
     def _by_itself(self, values: tuple[float, ...], flow: Flow) -> Trial:
-        """Return what a machine without a drive does: over a period of its own, some returns, or at rest."""
-        found = came_to(flow, flow.rest())
+        """Return what goes on without a drive: over a period of its own, some returns, or at rest.
+
+        Of a loop that rests where it begins it is the largest of its stable orbits.
+        """
+        silent = is_silent(flow.subject)
+        found = came_to_in_loop(flow)[0] if silent else came_to(flow, flow.rest())
         if found.course is None:
             return replace(self._failed(values), kind=found.kind)
         still = found.kind is MotionKind.REST and stands(flow)

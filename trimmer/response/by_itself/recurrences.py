@@ -55,7 +55,8 @@ def once(flow: Flow, shot: Shot) -> Shot:
         if len(course.events) % count:
             continue
         (state,) = course.states(np.array([course.duration / count]))
-        if (abs(state[: flow.size] - course.begin.state) > SAME * shot.sizes).any():
+        apart = abs(state[: flow.size] - course.begin.state) > SAME * shot.sizes
+        if apart.any() or not shot.goes_on_alike(course.duration / count):
             continue
         shorter = returned(Return(flow, 0), course.begin, course.duration / count)
         if shorter is not None and not at_rest(shorter.course, shorter.duration):

@@ -300,4 +300,8 @@ def _smallest(flow: Flow, shot: Shot, periods: int) -> int:
     apart = abs((strobed - strobed[0]) / shot.sizes).max(axis=1)
     together = flow.modes.system.layout.recurrence
     divisors = (each for each in range(together, periods + 1, together) if periods % each == 0)
-    return next(each for each in divisors if each == periods or apart[each] < SAME)
+    return next(
+        each
+        for each in divisors
+        if each == periods or (apart[each] < SAME and shot.goes_on_alike(each * flow.period))
+    )

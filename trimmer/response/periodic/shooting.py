@@ -32,6 +32,8 @@ SAMPLES = 16  # Instants at which a motion without events is looked at
 MOST_CALM = 3  # How often an instant amid a long segment is looked for, as the motion changes
 POLISHED = 40
 """Newton steps beyond the patience for what is closed: near a state that many orbits meet, each is a half."""
+LATER, ALIKE = (0.31, 0.62), 1e-2
+"""Shares of a period after which motions are compared again, and of the sizes by which they may differ."""
 LONGEST = 4.0  # Factor by which an unknown period may grow; a longer one has lost the motion
 
 
@@ -51,6 +53,15 @@ class Shot:
         """Derivative of the end by the start, (n, n)."""
         monodromy = self.course.monodromy
         return monodromy if self.signs is None else self.signs[:, None] * monodromy
+
+    def goes_on_alike(self, time: float) -> bool:
+        """Say whether it goes on after a time, s, as it did at its start, and does not just pass that state.
+
+        A relay with hysteresis may be on either side there.
+        """
+        after = time * np.array(LATER)
+        begun, later = (self.course.states(each)[:, : len(self.sizes)] for each in (after, time + after))
+        return bool((abs(later - begun) <= ALIKE * self.sizes).all())
 
     @cached_property
     def gap(self) -> Reals:
