@@ -143,7 +143,9 @@ class _Integration:
                 self.mode, left = place.mode, left - (now - place.steps_left)
                 now = min(left, AT_ONCE)
                 if reason == STEP_LIMIT and left > 0:
-                    bar = self._shown(bar, place.time) if watched else None
+                    if watched:
+                        bar = self._bar() if bar is None else bar
+                        bar.update(place.time - bar.n)
                 elif (ending := self._ending(reason, place, most_events)) is not None:
                     return self._stretch(ending, place, most_steps - left)
                 elif reason == LOG_FULL:
@@ -165,12 +167,9 @@ class _Integration:
             if bar is not None:
                 bar.close()
 
-    def _shown(self, bar: tqdm[Any] | None, time: float) -> tqdm[Any]:
-        """Show the time reached, s, on a progress bar, made when it is first needed."""
-        if bar is None:
-            bar = progress_bar(description="simulate", total=self.length, unit="s", unit_scale=True)
-        bar.update(time - bar.n)
-        return bar
+    def _bar(self) -> tqdm[Any]:
+        """Return a progress bar of the time reached, s; only a long motion has one."""
+        return progress_bar(description="simulate", total=self.length, unit="s", unit_scale=True)
 
     def _tables(self) -> tuple[Tables, Work]:
         """Return the tables as they are now, and work space that fits them."""
