@@ -193,6 +193,8 @@ class _Reader:
 
 def _state_of(value: Any) -> dict[str, Any]:
     """Return the fields of a dataclass, or what it hands out itself, cached properties left out."""
+    if not any("__getstate__" in vars(base) for base in type(value).__mro__ if base is not object):
+        return {each.name: getattr(value, each.name) for each in fields(value)}
     known = {each.name for each in fields(value)}
     given = value.__getstate__().items()
     return {name: each for name, each in given if name in known or not hasattr(type(value), name)}

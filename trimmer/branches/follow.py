@@ -31,6 +31,7 @@ from trimmer.response.periodic.orbit import NEUTRAL, Orbit
 from trimmer.response.periodic.pace import pace_of, periods_of
 from trimmer.response.respond import respond
 from trimmer.response.settling.settling import orbit_from_rest
+from trimmer.response.settling.solved import EVENLY
 from trimmer.response.starts import instant_of
 
 
@@ -172,6 +173,9 @@ def _self_excited(
                 f"and the period: {listed((*flow.names, 'period'))}"
             )
     passage = map.passage(begin, first)
+    if passage.stands:
+        message = f"at {begin:.10g} there is nothing to follow: {EVENLY}"
+        return FollowedBranch(map, (), (), BranchEnd.NO_START, message)
     if abs(np.linalg.eigvals(passage.monodromy) - 1.0).min() <= NEUTRAL:
         reason = BranchEnd.NOT_ISOLATED
         return FollowedBranch(map, (), (), reason, f"{reason.value}, at {begin:.10g}")

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trimmer.arrays import Reals
 from trimmer.branches.followed import FollowedOrbit
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.hybrid.system import HOLD_ENDED
@@ -29,18 +28,19 @@ class TornOut:
         part: Name of the friction.
         value: Value of the number that is varied.
         uncertainty: By how much extrapolations from different orbits differ.
-        state: That of the last orbit, (n,).
+        last: The last orbit before it.
     """
 
     part: str
     value: float
     uncertainty: float
-    state: Reals
+    last: FollowedOrbit
 
     @property
     def special(self) -> SpecialPoint:
-        """It as a special point, with the state of the last orbit."""
-        return SpecialPoint(SpecialKind.STICK, self.value, self.state, (self.part,), "no orbit lies beyond")
+        """The last orbit before it as a special point."""
+        note = f"no orbit lies beyond {self.value:.9g}"
+        return SpecialPoint(SpecialKind.STICK, self.last.value, self.last.state, (self.part,), note)
 
     @property
     def told(self) -> str:
@@ -72,7 +72,7 @@ def torn_out(points: Sequence[FollowedOrbit]) -> TornOut | None:
         end, other = (_zero(passed[0], each) for each in passed[1:])
         ahead = (end - last.value) * np.sign(last.value - passed[1][0])
         if 0.0 < abs(end - other) <= SURE * ahead:
-            return TornOut(part, end, abs(end - other), last.state)
+            return TornOut(part, end, abs(end - other), last)
     return None
 
 

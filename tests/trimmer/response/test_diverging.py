@@ -128,6 +128,9 @@ def test_what_moves_on_evenly_without_a_drive_repeats_after_any_time() -> None:
     assert content["outputs"]["body"]["advance"] / content["period"] == pytest.approx(0.75, rel=1e-12)
     assert response.motion.orbit.stable
     assert "any time is a period" in content["message"]
+    branch = follow(dragged(4.0), "forces.push.constant", 3.0, 4.0)
+    assert (branch.reason, branch.points) == (BranchEnd.NO_START, ())
+    assert "there is nothing to follow: it moves on evenly" in branch.message
     pulled = body(
         pins={"winch": Pin("ground", velocity=0.2)},
         links={"rope": Link(("winch", "body"), 40.0, 2.0)},

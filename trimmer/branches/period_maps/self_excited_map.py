@@ -25,6 +25,7 @@ from trimmer.response.flows import flow_of
 LONGEST = 4.0  # Factor by which the period may differ from that of the plane; beyond it the motion is lost
 NEAR = 2.0  # Factor by which the period may differ before another plane is taken
 ACROSS = 0.7  # Least cosine of the angle between the motion and the normal of the plane, else it is turned
+STANDS = 1e-12  # Share of its size up to which a state moves by rounding in a period
 SAMPLES = 256  # Instants of a motion between which it is to pass the plane at most once
 
 
@@ -149,6 +150,12 @@ class SelfExcitedPassage(DrivenPassage):
     def _change(self) -> Reals:
         """Derivative of the state at the end by that at the start, (n, n)."""
         return self.course.monodromy
+
+    @property
+    def stands(self) -> bool:
+        """Whether no state changes, as where all only moves on with the frame."""
+        moved = abs(self._end_rate) * self.course.duration
+        return bool((moved <= STANDS * self.sizes[:-1]).all())
 
     @cached_property
     def _end_rate(self) -> Reals:

@@ -162,7 +162,7 @@ def path_through(
         branch = follow(
             mechanism, varied.place, varied.value, end, periods=counted, state=begin, settings=settings
         )
-        sides.append(_side(branch, end, keys))
+        sides.append(_side(branch, end, keys) if branch.points else None)
     return NumberPath(varied, periods, *sides)
 
 
