@@ -22,6 +22,7 @@ from matplotlib.patches import PathPatch
 import trimmer
 from tests.trimmer import results
 from tests.trimmer.maps.machines import impact_oscillator
+from tests.trimmer.uncertainty.test_samples import TEXT
 from trimmer import SerialRunner, sample
 from trimmer.design.analysis.linear import all_drives, linear_states
 from trimmer.drawing.frequency_response import summary_figure
@@ -42,23 +43,7 @@ FEW = 8  # Points up to which each is told
 NOTHING = 1e-6  # Share of the largest coordinate below which a mean is rounding
 VISCOUS = trimmer.ViscousBacklash(4e-5, 1e-3)
 RELAY = trimmer.Relay(1.0)
-SAMPLED = """
-frequency = 0.2
-[bodies]
-mass = { mass = 1.0 }
-[links]
-spring = { between = ["ground", "mass"], stiffness = 4.0, damping = 0.3 }
-[stops]
-stop = { between = ["ground", "mass"], stiffness = 10.0, gap = 0.4 }
-[forces]
-drive = { on = "mass", amplitude = 2.0 }
-[outputs]
-x = { mass = 1 }
-[targets]
-stroke_at_least = 1.41
-[uncertainty]
-"stops.stop.gap" = { uniform = [0.3, 0.5] }
-"""
+SAMPLED = TEXT.replace("0.9", "1.41").replace('"links.spring.stiffness" = { normal = "5 %" }\n', "")
 
 
 def new_axes() -> Axes:
