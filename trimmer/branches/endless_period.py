@@ -120,11 +120,11 @@ def _of_inverse(values: Reals, periods: Reals) -> Reals:
     chosen = np.unique([int(np.argmin(abs(periods - each))) for each in wanted])
     inverse, there = 1.0 / periods[chosen], values[chosen]
     return np.array(
-        [_at_zero(inverse, there), _at_zero(inverse[1:], there[1:]), _at_zero(inverse[:-1], there[:-1])]
+        [at_zero(inverse, there), at_zero(inverse[1:], there[1:]), at_zero(inverse[:-1], there[:-1])]
     )
 
 
-def _at_zero(places: Reals, values: Reals) -> float:
+def at_zero(places: Reals, values: Reals) -> float:
     """Return the polynomial through some values at zero, by Lagrange's form."""
     others = [np.delete(places, each) for each in range(len(places))]
     weights = [np.prod(-other / (place - other)) for place, other in zip(places, others, strict=True)]

@@ -10,13 +10,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trimmer.branches.endless_period import at_zero
 from trimmer.branches.followed import FollowedOrbit
 from trimmer.branches.special import SpecialKind, SpecialPoint
 from trimmer.hybrid.system import HOLD_ENDED
 from trimmer.hybrid.variation import jumps
 
-FALLEN = (2.0, 4.0)
-"""Factors by which a rate has fallen since the orbits from which it is extrapolated, at least."""
+RISEN = (0.0, 1.5, 3.0, 6.0)
+"""Factors by which the rates of earlier orbits are larger than the first, from which it is extrapolated."""
+MOST = 1e6  # Largest multiplier of such an orbit: what is rounded is magnified by it
 SURE = 0.1  # Largest difference of extrapolations as a share of the distance over which they go
 
 
@@ -59,20 +61,22 @@ def torn_out(points: Sequence[FollowedOrbit]) -> TornOut | None:
         points: The orbits, in the order of the branch.
     """
     last = points[-1]
-    for part, rate in _rates(last).items():
-        passed = [(last.value, rate)]
-        for each in reversed(points[:-1]):
-            if each.point.signature != last.point.signature or len(passed) > len(FALLEN):
+    for part in _rates(last):
+        passed: list[tuple[float, float]] = []
+        for each in reversed(points):
+            if each.point.signature != last.point.signature or len(passed) == len(RISEN):
                 break
-            value, before = each.value, _rates(each).get(part, 0.0)
-            if before >= FALLEN[len(passed) - 1] * rate:
-                passed.append((value, before))
-        if len(passed) <= len(FALLEN):
+            rate = 0.0 if each.largest_multiplier > MOST else _rates(each).get(part, 0.0)
+            if rate > 0.0 and rate >= RISEN[len(passed)] * (passed[0][1] if passed else 0.0):
+                passed.append((each.value, rate))
+        if len(passed) < len(RISEN):
             continue
-        end, other = (_zero(passed[0], each) for each in passed[1:])
-        ahead = (end - last.value) * np.sign(last.value - passed[1][0])
-        if 0.0 < abs(end - other) <= SURE * ahead:
-            return TornOut(part, end, abs(end - other), last)
+        values, rates = np.array(passed).T
+        ends = [at_zero(rates[some], values[some]) for some in (slice(4), slice(3), slice(1, 4))]
+        end, spread = ends[0], float(np.ptp(ends))
+        ahead = (end - values[0]) * np.sign(values[0] - values[1])
+        if 0.0 < spread <= SURE * ahead:
+            return TornOut(part, end, spread, last)
     return None
 
 
@@ -86,9 +90,3 @@ def _rates(orbit: FollowedOrbit) -> dict[str, float]:
                 name = names[jump.function.owner]
                 found[name] = min(found.get(name, np.inf), -jump.slope)
     return found
-
-
-def _zero(last: tuple[float, float], before: tuple[float, float]) -> float:
-    """Return the value at which a line through two values with their rates is zero."""
-    (value, rate), (earlier, larger) = last, before
-    return value + rate * (value - earlier) / (larger - rate)

@@ -104,5 +104,6 @@ def test_a_branch_ends_where_stick_is_torn_out_at_the_peak_of_the_force() -> Non
     branch = follow(block, "forces.push.amplitude", 2.4, 0.5)
     assert branch.reason is BranchEnd.TORN and branch.success
     assert branch.special[-1].parts == ("floor",)
-    (told,) = re.findall(r"falls to zero at (\S+) \+- ", branch.message)
-    assert float(told) == pytest.approx(2.0 - stiffness * brentq(beyond, 0.0, 1.0), abs=3e-8)
+    told, uncertain = map(float, re.findall(r"falls to zero at (\S+) \+- (\S+),", branch.message)[0])
+    # Rounding says how near Newton's method comes to the end; nine digits are told.
+    assert abs(told - 2.0 + stiffness * brentq(beyond, 0.0, 1.0)) <= uncertain + 5e-9 < 1e-5
