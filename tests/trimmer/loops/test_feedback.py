@@ -266,6 +266,16 @@ def test_stick_lasts_beside_a_friction_that_turns_back_within_its_kinetic_force(
     assert motion.signal("block", np.array([1.0])) == 0.0
 
 
+def test_a_relay_that_a_drive_finds_on_either_side_at_one_state_takes_two_periods() -> None:
+    """x' = -1 and +1 between the edges at 0.1 takes 0.4 s; the drive acts beside it."""
+    names = {"states": ["x", "w"], "inputs": ["y", "d"], "outputs": ["y"]}
+    plant = control.ss(np.diag([0.0, -5.0]), np.diag([-1.0, 1.0]), [[1.0, 0.0]], 0, **names)
+    loop = Feedback(plant, {"y": Relay(1.0, hysteresis=0.1)}, {"d": Drive(0.3, frequency=5.0)})
+    motion = respond(loop).motion
+    assert motion.period_count == 2
+    assert motion.peak_to_peak["y"] == pytest.approx(0.2, rel=1e-12)
+
+
 def test_friction_takes_a_velocity_and_viscous_friction_is_a_gain_there() -> None:
     """v' = -sign(v) - v/2 from 1: it comes to rest after 2 ln(3/2), and stays."""
     loop = Feedback(integrator(inputs="v", outputs="v"), {"v": CoulombFriction(1.0) + ViscousFriction(0.5)})

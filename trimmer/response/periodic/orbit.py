@@ -6,7 +6,7 @@ from typing import cast
 import numpy as np
 
 from trimmer.arrays import Complexes, Integers, Reals
-from trimmer.hybrid.stretch import Instant
+from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.kept_property import cached_property
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.motion.course import Course
@@ -17,7 +17,7 @@ from trimmer.one_orbit import SAME
 from trimmer.response.periodic.edge import Edge
 from trimmer.response.periodic.multipliers import multipliers_of, with_place
 from trimmer.response.periodic.pace import period_word, periods_of
-from trimmer.response.periodic.shooting import CLOSED, Shot
+from trimmer.response.periodic.shooting import CLOSED, LATER, Shot
 from trimmer.showing.drawn import Drawn
 from trimmer.showing.shown import Tabular
 from trimmer.showing.table import Column, Table, arrays
@@ -251,7 +251,10 @@ def orbit_of(flow: Flow, shot: Shot, periods: int, about: str = "") -> Orbit:
         periods: Number of drive periods that it spans; 0 without a drive.
         about: What else is to be said if it was found.
     """
-    solved, success = shot.calm or shot, shot.miss <= CLOSED
+    solved, miss = shot.calm or shot, shot.miss
+    if miss <= CLOSED and not _goes_on(flow, shot):
+        miss = np.inf
+    success = miss <= CLOSED
     multipliers, margins = multipliers_of(solved)
     if success:
         margins = with_place(flow, solved, periods, multipliers, margins)
@@ -261,7 +264,19 @@ def orbit_of(flow: Flow, shot: Shot, periods: int, about: str = "") -> Orbit:
     kind = _kind_of(flow)
     if kind is not MechanismOrbit:  # A double multiplier is exact to the root of rounding.
         margins = np.maximum(margins, 1e-6)
-    return kind(seen, periods, count, course, shot.sizes, multipliers, shot.miss, about, margins)
+    return kind(seen, periods, count, course, shot.sizes, multipliers, miss, about, margins)
+
+
+def _goes_on(flow: Flow, shot: Shot) -> bool:
+    """Say whether a motion that returns to its state goes on from there as it began.
+
+    Where its parts do, it does; a relay with hysteresis may be on either side of it at one state.
+    """
+    course = shot.course
+    if shot.signs is not None or course.end.statuses == course.begin.statuses:
+        return True
+    further = flow.timed(course.end, LATER[-1] * course.duration)
+    return further.ending is Ending.REACHED_END and shot.is_like(further, 0.0, course.duration)
 
 
 def _kind_of(flow: Flow) -> type[Orbit]:

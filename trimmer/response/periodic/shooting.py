@@ -59,8 +59,13 @@ class Shot:
 
         A relay with hysteresis may be on either side there.
         """
-        after = time * np.array(LATER)
-        begun, later = (self.course.states(each)[:, : len(self.sizes)] for each in (after, time + after))
+        return self.is_like(self.course, time, time)
+
+    def is_like(self, course: Course, time: float, length: float) -> bool:
+        """Say whether a course goes from a time, s, as this one does from its start, within a length, s."""
+        after = length * np.array(LATER)
+        seen = (self.course.states(after), course.states(time + after))
+        begun, later = (each[:, : len(self.sizes)] for each in seen)
         return bool((abs(later - begun) <= ALIKE * self.sizes).all())
 
     @cached_property

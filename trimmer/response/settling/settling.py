@@ -14,7 +14,7 @@ from trimmer.motion.subject import Subject
 from trimmer.response.flows import known_flow_of
 from trimmer.response.periodic.orbit import Orbit, orbit_of
 from trimmer.response.periodic.pace import pace_of
-from trimmer.response.periodic.shooting import Patience, Return, sizes_of, solve
+from trimmer.response.periodic.shooting import CLOSED, Patience, Return, sizes_of, solve
 from trimmer.response.settling.recurrence import approach, candidates, has_returned, settles_to
 from trimmer.response.settling.solved import Solved, solved
 from trimmer.response.without_events.linear_motion import grows_for_ever
@@ -158,14 +158,18 @@ def orbit_near(flow: Flow, state: Reals, like: Instant, periods: int) -> Orbit |
         like: An instant whose statuses hold there too.
         periods: Drive periods after which it may close.
     """
-    begin = flow.at(state, like=like)
+    begin, passed = flow.at(state, like=like), False
     while True:
         shot = solve(Return(flow, periods), begin, patience=PATIENCE)
         if shot is None:
             return None
         orbit = orbit_of(flow, shot, periods)
         if not orbit.success:
-            return None
+            if passed or shot.miss > CLOSED:
+                return None
+            # It passes the state where it began, on another side of a relay.
+            passed, periods = True, 2 * periods
+            continue
         if orbit.period_count == periods:
             return orbit
         begin, periods = orbit.instant, orbit.period_count
