@@ -31,6 +31,7 @@ from trimmer.hybrid.system import (
     REVERSED,
     STRUCK,
     Decision,
+    JointEvent,
     ModeEquations,
 )
 from trimmer.hybrid.tables import UNKNOWN, Modes
@@ -243,7 +244,7 @@ class _Integration:
         mode = self.modes[self.mode]
         function = mode.functions[place.fired]
         decide, state = self.modes.system.decide, self.work.state
-        decision = decide(mode, state, function, place.jumped, at_rest, self._held_before(place))
+        decision = decide(mode, state, JointEvent(function, place.jumped, at_rest, self._held_before(place)))
         state[:] = decision.state
         more = place.row + len(decision.statuses) + len(decision.impulses)
         while more >= len(self.log.start):

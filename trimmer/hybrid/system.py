@@ -9,7 +9,7 @@ relay that slides; what several parts do that are at rest at one instant they de
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Integers, Places, Reals
@@ -71,6 +71,15 @@ class Transition:
     zeros: tuple[tuple[int, int], ...] = ()
     # The state afterwards, (N, N), None if it goes on; then it is made to fit what is held
     reset: Reals | None = None
+
+
+class JointEvent(NamedTuple):
+    """An event at which parts at rest decide together what they do."""
+
+    function: EventFunction  # What fell to zero
+    jumped: bool  # Whether it was negative at once
+    at_rest: Places  # Numbers of the parts whose switching functions are zero
+    held: tuple[int, ...]  # Numbers of those held before the instant, which go on being held if they can
 
 
 @dataclass(frozen=True, eq=False)
@@ -284,18 +293,8 @@ class System(Protocol):
     def terms(self, mode: ModeEquations) -> Reals:
         """Return the sums of the moduli of what the flow of a mode is made of, (N, N)."""
 
-    def decide(
-        self,
-        mode: ModeEquations,
-        state: Reals,
-        function: EventFunction,
-        jumped: bool,
-        at_rest: Places,
-        held: tuple[int, ...],
-    ) -> Decision:
-        """Return what parts at rest do, by their numbers, where an event function falls to zero.
-
-        What was held before the instant goes on being held if it can.
+    def decide(self, mode: ModeEquations, state: Reals, event: JointEvent) -> Decision:
+        """Return what parts at rest do where an event function falls to zero.
 
         Raises:
             ArithmeticError: if rounding keeps it from being decided.

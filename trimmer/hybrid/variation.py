@@ -291,10 +291,10 @@ def _counterpart(function: EventFunction, functions: Sequence[EventFunction]) ->
     """Return the same event function of another mode; itself if it is of that, or if that has it no more."""
     if any(each is function for each in functions):
         return function
-    same = (each for each in functions if identity(each) == identity(function))
+    same = (each for each in functions if key_of(each) == key_of(function))
     return next(same, function)
 
 
-def identity(function: EventFunction) -> tuple[int, int, tuple[int, ...]]:
+def key_of(function: EventFunction) -> tuple[int, int, tuple[int, ...]]:
     """Return what tells an event function in a mode: its owner, what it means, and in which directions."""
     return function.owner, function.action, function.signs

@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from trimmer.arrays import Places, Reals
+from trimmer.arrays import Reals
 from trimmer.hybrid.system import (
     AT_LIMIT,
     HOLD_BEGUN,
@@ -17,6 +17,7 @@ from trimmer.hybrid.system import (
     REVERSED,
     Decision,
     EventFunction,
+    JointEvent,
     ModeEquations,
     Transition,
 )
@@ -113,33 +114,25 @@ class LoopSystem:
                 reset[first + each] = row
         return reset
 
-    def decide(
-        self,
-        mode: ModeEquations,
-        state: Reals,
-        function: EventFunction,
-        jumped: bool,
-        at_rest: Places,
-        held: tuple[int, ...],
-    ) -> Decision:
+    def decide(self, mode: ModeEquations, state: Reals, event: JointEvent) -> Decision:
         """Return what relays at rest do, one after the other where their influence is not symmetric."""
         resting = list(mode.statuses)
-        for k in at_rest.tolist():
+        for k in event.at_rest.tolist():
             resting[k] = HELD
         closed = self.coupled.closed(tuple(resting))
         relays = tuple(
             k for k, one in enumerate(closed) if one == HELD and attracting(self.interconnection, k)
         )
         state = self.mode(closed).hold @ state
-        assert isinstance(function, LoopFunction)
-        dropping, after = self._dropping(function), None
-        if jumped or not dropping:
-            after = complementary_mode(self, mode.statuses, state, relays, held)
-        if dropping and (not jumped or after == mode.statuses):
-            after = complementary_mode(self, mode.statuses, state, relays, held, dropping)
+        assert isinstance(event.function, LoopFunction)
+        dropping, after = self._dropping(event.function), None
+        if event.jumped or not dropping:
+            after = complementary_mode(self, mode.statuses, state, relays, event.held)
+        if dropping and (not event.jumped or after == mode.statuses):
+            after = complementary_mode(self, mode.statuses, state, relays, event.held, dropping)
         if after is None or (dropping and after == mode.statuses):
             # The limit decides where the influence is not symmetric, and where the drop is rounding.
-            after = _with(mode.statuses, function.jumped if jumped else function.reached)
+            after = _with(mode.statuses, event.function.jumped if event.jumped else event.function.reached)
         return Decision(after, 1, state)
 
     def _dropping(self, function: LoopFunction) -> tuple[int, ...]:

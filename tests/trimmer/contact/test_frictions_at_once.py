@@ -13,6 +13,7 @@ import pytest
 from tests.mechanisms.brute_force import EventKind
 from tests.trimmer.contact.exact import ExactMotion, exact_motion
 from trimmer import Body, Force, Friction, Mechanism, Pin, Stop
+from trimmer.mechanism import Wall
 
 GROUND_TO_BODY = ("ground", "body")
 
@@ -158,10 +159,12 @@ def test_a_body_is_pulled_off_the_ground_when_the_table_turns_back():
     ]
 
 
-def test_stick_lasts_beside_a_friction_that_turns_back_within_its_kinetic_force():
+@pytest.mark.parametrize("wall", [None, 0.1])
+def test_stick_lasts_beside_a_friction_that_turns_back_within_its_kinetic_force(wall):
     """The slider never rests, so that its static force, which would tear the block off, is never there.
 
     On the block: 1.2 of the load, 0.8 of the slider one way and then the other, and so 2.0 of 2.2 held.
+    A wall without rebound may turn the slider back before.
     """
     mechanism = Mechanism(
         {"block": Body(1.0), "slider": Body(1.0)},
@@ -169,12 +172,14 @@ def test_stick_lasts_beside_a_friction_that_turns_back_within_its_kinetic_force(
             "table": Friction(("ground", "block"), 1.4, 2.2),
             "back": Friction(("block", "slider"), 0.8, 1.1),
         },
+        walls={} if wall is None else {"wall": Wall(("ground", "slider"), 0.0, wall)},
         forces={"load": Force("block", constant=-1.2), "pull": Force("slider", constant=-2.0)},
         start={"slider": (0.0, 1.0)},
     )
     motion = exact_motion(mechanism, 1.0)
-    turns, after = 1.0 / 2.8, 1.0 - 1.0 / 2.8
-    assert [(event.part, event.kind) for event in motion.events] == [("back", EventKind.SLIDING_REVERSED)]
-    assert motion.events[0].time == pytest.approx(turns, rel=1e-12)
-    expected = [0.0, 0.5 * turns - 0.6 * after**2, 0.0, -1.2 * after]
+    turns = 1.0 / 2.8 if wall is None else (1.0 - math.sqrt(1.0 - 5.6 * wall)) / 2.8
+    after, events = 1.0 - turns, [event for event in motion.events if event.part != "wall"]
+    assert [(event.part, event.kind) for event in events] == [("back", EventKind.SLIDING_REVERSED)]
+    assert events[0].time == pytest.approx(turns, rel=1e-12)
+    expected = [0.0, turns - 1.4 * turns**2 - 0.6 * after**2, 0.0, -1.2 * after]
     assert motion.states(np.array([1.0])).ravel() == pytest.approx(expected, rel=1e-12, abs=1e-15)

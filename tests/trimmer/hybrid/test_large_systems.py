@@ -15,7 +15,7 @@ from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.modes.system import MechanismSystem
 from trimmer.hybrid.advance import advance
 from trimmer.hybrid.stretch import Ending
-from trimmer.hybrid.system import HOLD_BEGUN, EventFunction, ModeEquations
+from trimmer.hybrid.system import HOLD_BEGUN, EventFunction, JointEvent, ModeEquations
 from trimmer.hybrid.tables import Modes
 from trimmer.mechanism import GROUND, Wall
 from trimmer.motion.course import Course
@@ -102,9 +102,9 @@ class Counting(MechanismSystem):
 
     asked: list[EventFunction] = field(default_factory=list)
 
-    def decide(self, mode: ModeEquations, state: Reals, function: EventFunction, *others: object):
-        self.asked.append(function)
-        return super().decide(mode, state, function, *others)
+    def decide(self, mode: ModeEquations, state: Reals, event: JointEvent):
+        self.asked.append(event.function)
+        return super().decide(mode, state, event)
 
 
 @pytest.mark.parametrize(("ground", "together"), [(True, False), (False, True)])

@@ -19,7 +19,7 @@ from trimmer.hybrid.propagation import (
 from trimmer.hybrid.system import System
 from trimmer.hybrid.tables import NO_RESET, Modes, Tables
 from trimmer.hybrid.taylor import DEGREE
-from trimmer.hybrid.variation import Saltation, end_of_instant, identity, in_turn, jumps
+from trimmer.hybrid.variation import Saltation, end_of_instant, in_turn, jumps, key_of
 from trimmer.hybrid.work import Log
 from trimmer.kept_property import cached_property
 from trimmer.motion.course import Course
@@ -201,5 +201,5 @@ class ValueChange:
             (mode, number)
             for mode in (jump.before, first)
             for number, own in enumerate(self.course.modes[mode].functions)
-            if own is jump.function or identity(own) == identity(jump.function)
+            if own is jump.function or key_of(own) == key_of(jump.function)
         )

@@ -12,19 +12,13 @@ from trimmer.contact.machine.machine import Machine
 from trimmer.contact.machine.statuses import BACKWARD, FORWARD, LOOSE, RESTS, STICK
 from trimmer.contact.modes.assembly import flow_without_stick
 from trimmer.hybrid.dry_friction import complementary_forces
-from trimmer.hybrid.system import ARRIVED, EventFunction
+from trimmer.hybrid.system import ARRIVED, JointEvent
 
 NOISE = 2.0**-49  # Rounding of an acceleration as a share of the moduli of its terms
 
 
 def after_event(
-    machine: Machine,
-    statuses: tuple[int, ...],
-    state: Reals,
-    function: EventFunction,
-    jumped: bool,
-    at_rest: Places,
-    held: tuple[int, ...],
+    machine: Machine, statuses: tuple[int, ...], state: Reals, event: JointEvent
 ) -> tuple[tuple[int, ...], int]:
     """Return what frictions at rest do after a velocity has come to zero, or a limit of stick is reached.
 
@@ -32,10 +26,7 @@ def after_event(
         machine: The mechanism.
         statuses: Of all parts before.
         state: The extended state, (N,).
-        function: The event function that fell to zero.
-        jumped: Whether it was negative at once.
-        at_rest: Numbers of the holds whose velocity is zero: frictions, then walls that are reached.
-        held: Numbers of the parts that were held before the instant.
+        event: What fell to zero; what is at rest are frictions, and walls that are reached.
 
     Returns:
         The statuses of all parts, and how many derivatives of the velocities vanish that begin.
@@ -43,6 +34,8 @@ def after_event(
     Raises:
         ArithmeticError: see ``decide``.
     """
+    function, jumped, parts, held = event
+    at_rest = np.flatnonzero(np.isin(machine.holds, parts))
     if function.action == ARRIVED or jumped:
         after = decide(machine, statuses, state, at_rest, held=held)
         if function.action == ARRIVED or after != statuses:

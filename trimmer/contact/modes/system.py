@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trimmer.arrays import Integers, Places, Reals
+from trimmer.arrays import Integers, Reals
 from trimmer.contact.machine.machine import Machine
 from trimmer.contact.machine.statuses import ACTIONS, IMPACT, IMPULSES, KIND_COUNT
 from trimmer.contact.modes.assembly import Assembler, flow_without_stick
@@ -13,7 +13,15 @@ from trimmer.contact.modes.joint import after_event
 from trimmer.contact.modes.transitions import transition
 from trimmer.contact.modes.walls import strike
 from trimmer.contact.state.layout import MechanismLayout
-from trimmer.hybrid.system import STRUCK, Clockwork, Decision, EventFunction, ModeEquations, Transition
+from trimmer.hybrid.system import (
+    STRUCK,
+    Clockwork,
+    Decision,
+    EventFunction,
+    JointEvent,
+    ModeEquations,
+    Transition,
+)
 from trimmer.kept_property import cached_property
 
 
@@ -87,25 +95,14 @@ class MechanismSystem:
         restitution = self.machine.restitution[wall] if kind == IMPACT else 0.0
         return impulse_of(self.machine, wall, restitution), -self.machine.wall_distance[wall]
 
-    def decide(
-        self,
-        mode: ModeEquations,
-        state: Reals,
-        function: EventFunction,
-        jumped: bool,
-        at_rest: Places,
-        held: tuple[int, ...],
-    ) -> Decision:
+    def decide(self, mode: ModeEquations, state: Reals, event: JointEvent) -> Decision:
         """Return what frictions and walls at rest do, or what follows an impact.
 
         See ``trimmer.contact.modes.joint.after_event`` and ``trimmer.contact.modes.walls.strike``.
         """
-        if function.action == STRUCK:
-            wall = function.owner - first_wall(self.machine)
+        if event.function.action == STRUCK:
+            wall = event.function.owner - first_wall(self.machine)
             # What was held until then has drifted by the rounding of a long way.
             fitted = mode.hold @ state
-            return strike(self.machine, mode.statuses, fitted, wall, self.layout.period or 1.0, held)
-        holds = np.flatnonzero(np.isin(self.machine.holds, at_rest))
-        return Decision(
-            *after_event(self.machine, mode.statuses, state, function, jumped, holds, held), state
-        )
+            return strike(self.machine, mode.statuses, fitted, wall, self.layout.period or 1.0, event.held)
+        return Decision(*after_event(self.machine, mode.statuses, state, event), state)
