@@ -18,6 +18,8 @@ Flags = NDArray[np.bool_]
 Places = NDArray[np.intp]
 Integers = NDArray[np.int64]
 
+ROUNDING = 64 * float(np.finfo(float).eps)  # Rounding of a sum as a share of the moduli of its terms
+
 
 @cache
 def identity(count: int) -> Reals:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from trimmer.arrays import Complexes, Reals
+from trimmer.arrays import ROUNDING, Complexes, Reals
 from trimmer.contact.machine.machine import Machine
 from trimmer.contact.modes.curves import add_least_curves
 from trimmer.contact.state.layout import MechanismLayout
@@ -16,7 +16,6 @@ from trimmer.mechanism.waves import mean_of
 
 NEGLIGIBLE = 1e-9
 """Share of the largest velocity of a motion, or eigenvalue of a matrix, below which another may be none."""
-ROUNDING = 64 * float(np.finfo(float).eps)  # Rounding of a sum as a share of the moduli of its terms
 
 
 def is_mirror_symmetric(mechanism: Mechanism, layout: MechanismLayout, period: float) -> bool:

@@ -38,20 +38,15 @@ def curve_arrays(mechanism: Mechanism, rows: EndRows) -> dict[str, Any]:
     ends = [(section == "links", part.between) for section, part in parts]
     size, count = len(rows.displacement(GROUND)), len(rows.push(GROUND, GROUND))
     return {
-        "curve_over": np.array([_over(rows, *each) for each in ends]).reshape(-1, size),
+        "curve_over": np.array(
+            [rows.distance(each) if is_link else rows.speed(each) for is_link, each in ends]
+        ).reshape(-1, size),
         "curve_push": np.array([-rows.push(*part.between) for _, part in parts]).reshape(-1, count),
         "curve_knots": _padded([each.knots for each in forces], most, np.inf),
         "curve_by_speed": np.array([not is_link for is_link, _ in ends], dtype=np.int64),
         "curve_slopes": _padded([each.slopes for each in forces], most + 1, 0.0),
         "curve_heights": _padded([each.heights for each in forces], most + 1, 0.0),
     }
-
-
-def _over(rows: EndRows, is_link: bool, between: tuple[str, str]) -> Reals:
-    """Return the distance of two ends, or their relative velocity, as a functional, (N,)."""
-    start, end = between
-    of = rows.displacement if is_link else rows.velocity
-    return of(end) - of(start)
 
 
 def _padded(rows: list[Reals], width: int, filling: float) -> Reals:

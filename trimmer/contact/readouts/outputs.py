@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 
-from trimmer.arrays import Integers, Reals
+from trimmer.arrays import ROUNDING, Integers, Reals
 from trimmer.contact.modes.assembly import PUSHING, force_of
 from trimmer.contact.modes.system import MechanismSystem
 from trimmer.contact.readouts.control_readouts import control_signal
@@ -19,8 +19,6 @@ from trimmer.mechanism import Mechanism, Output
 from trimmer.mechanism.parts import OutputKind
 from trimmer.motion.course import Course
 from trimmer.motion.signals import OwnValues, Readout, Signal, Steady, along, rate, row_of_each
-
-ROUNDING = 64 * float(np.finfo(float).eps)  # Rounding of a force as a share of the moduli of its terms
 
 
 def outputs_of(mechanism: Mechanism, modes: Modes[MechanismSystem]) -> dict[str, Readout]:

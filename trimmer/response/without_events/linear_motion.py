@@ -15,13 +15,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import scipy.linalg
 
+from trimmer.arrays import ROUNDING
+
 if TYPE_CHECKING:
     from trimmer.arrays import Complexes, Flags, Reals
     from trimmer.hybrid.stretch import Instant
     from trimmer.hybrid.system import ModeEquations
     from trimmer.motion.flow import Flow
-
-ROUNDING = 64 * float(np.finfo(float).eps)  # Rounding of a sum as a share of the moduli of its terms
 BARELY = 1e-13  # Share of the sizes of states up to which a sum of them is not told from zero
 ILL = 1e8
 """Condition of the eigenvectors beyond which free motions are not told apart, as where two become one."""

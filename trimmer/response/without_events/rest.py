@@ -7,14 +7,13 @@ from functools import cached_property
 
 import numpy as np
 
-from trimmer.arrays import Reals
+from trimmer.arrays import ROUNDING, Reals
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.measures import Measures
 
 SAMPLES = 64  # Instants in the period of the fastest wave at which forces are taken
-ROUNDING = 64 * float(np.finfo(float).eps)  # Rounding of a rate as a share of the moduli of its terms
 RESTING = 1e-9
 """Share of its size by which a state that is at rest changes at most in a period of the slowest mode."""
 
