@@ -121,16 +121,3 @@ def test_a_seed_draws_the_same_and_more_go_on(project: Path) -> None:
     assert len({(mutant.path, mutant.span) for mutant in many}) == 20
     assert {mutant.path for mutant in drawn(project, 5, 100, "trimmer")} == {"trimmer/module.py"}
     assert {each.path for each in many} == {"derivations/module.py", "trimmer/module.py", "report/module.py"}
-
-
-def test_a_mutant_knows_its_place(project: Path) -> None:
-    for mutant in drawn(project, 2, 20):
-        source = (project / mutant.path).read_bytes()
-        assert source[slice(*mutant.span)].decode() == mutant.before
-        assert mutant.context in source.decode().splitlines()
-        assert mutant.lines == (mutant.line, mutant.line)
-    keys = {mutant.key for mutant in drawn(project, 2, 20)}
-    assert len(keys) == 20
-    path = project / "trimmer/module.py"
-    path.write_text(path.read_text("utf-8") + "\n", encoding="utf-8")
-    assert keys.isdisjoint({m.key for m in drawn(project, 2, 20) if m.path == "trimmer/module.py"})

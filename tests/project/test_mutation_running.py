@@ -13,7 +13,7 @@ from scripts.mutation.line_map import LineMap, TestFile
 from scripts.mutation.mutants import Mutant, drawn, mutants_of, places_of
 from scripts.mutation.operators import Kind
 from scripts.mutation.patching import patch_of
-from scripts.mutation.records import Noticed, Outcome, Records
+from scripts.mutation.records import Outcome
 from scripts.mutation.summary import count, identity, read_equivalent
 from scripts.mutation.tree import copied
 
@@ -103,23 +103,6 @@ def test_test_files_are_those_that_run_a_line_the_one_that_names_the_module_firs
     only_imported = LineMap(known.files[1:2])
     assert [each.path for each in chosen(mutant(), only_imported, tmp_path)] == ["tests/b.py"]
     assert known.unusable == ("tests/d.py::test_x",)
-
-
-def test_records_survive_an_interruption(tmp_path: Path) -> None:
-    records = Records(tmp_path / "seed.jsonl")
-    first, second = mutant(1), mutant(2)
-    records.add(first, Outcome(tests="tests/a.py::test", files=3, seconds=1.5))
-    records.add(second, Outcome(tests="", claims=""))
-    content = records.path.read_bytes()
-    records.path.write_bytes(content[:-20])  # killed while it wrote the second
-    assert list(records.read()) == [first.key]
-    records.add(second, Outcome(tests="", claims="eq-2.8: reproduced became erratum"))
-    assert records.read() == {
-        first.key: (first, Outcome(tests="tests/a.py::test", files=3, seconds=1.5)),
-        second.key: (second, Outcome(tests="", claims="eq-2.8: reproduced became erratum")),
-    }
-    records.add(second, Outcome(tests="tests/b.py::test", claims=""))
-    assert records.read()[second.key][1].noticed is Noticed.TESTS
 
 
 def test_the_share_is_of_those_with_an_effect() -> None:

@@ -2,6 +2,7 @@
 
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,8 +11,9 @@ import pytest
 from report.design.axis import instability_sentence, loop_rows, loop_sentence
 from report.design.markdown import to_markdown
 from report.design.origin import origin_of
-from report.design.pictures import pictures
+from report.design.pictures import curves_of, pictures
 from report.design.report import DesignReport
+from report.design.sentences_around import margin_sentences
 from report.design.words.phrases import kind_words
 from tests.quick import quick
 from tests.report.design.conftest import TEXT as DESK
@@ -19,7 +21,8 @@ from tests.report.markdown_lines import markdown_lines
 from tests.trimmer.design.test_axis import AXIS
 from tests.trimmer.servos import SAMPLED, STICTION
 from trimmer import Mechanism, SerialRunner, forced_orbit, respond
-from trimmer.design import DesignSettings, Study
+from trimmer.branches import BranchEnd
+from trimmer.design import DesignSettings, Measure, Study
 from trimmer.design.analysis.found_motion import of_orbit
 from trimmer.design.analysis.linear import linear_states
 from trimmer.design.specification.design_file import design_file_of_text
@@ -46,6 +49,20 @@ def test_an_axis_that_hunts_is_told_so() -> None:
     assert "After it angle hunts by ±2.51 mrad, once in 893.4 ms." in step
     assert "Margins are of the loop opened where the controller acts" in pieces["linear"]
     assert "may" in pieces["linear"]
+
+
+def test_an_axis_is_followed_over_its_numbers_and_what_ends_that_is_told() -> None:
+    """Not down to no gain at all; what targets of a step bound is of the way to the motion."""
+    file = design_file_of_text(STICTION + "[targets]\nhunting_at_most = 0\n", "mine.toml")
+    study = Study(file, DesignSettings(cells=2, starts=1, neighbours=3, most_points=6), SerialRunner())
+    first, *others = study.paths(found := study.motions(), study.varied(found))
+    assert [len(side.values) for path in (first, *others) for side in (path.down, path.up)] == [6] * 6
+    design = study.short()
+    assert [asked.measure for asked, *_ in curves_of(design)] == [Measure.STROKE]
+    ends = {BranchEnd.TORN: "the motion jumps", BranchEnd.INFINITE_PERIOD: "its period grows without bound"}
+    for reason, words in ends.items():
+        torn = replace(first, down=None, up=replace(first.up, reason=reason))
+        assert f"% {words}." in margin_sentences(replace(design, paths=(torn,)))
 
 
 def test_what_advances_is_told_with_its_advance() -> None:

@@ -61,9 +61,10 @@ def test_what_flies_away_diverges() -> None:
 def test_the_sampled_axis_comes_to_rest_at_its_reference() -> None:
     """No rounding is told as a force there."""
     axis = example("sampled-axis")
-    rests = [respond(each).motion.rest for each in (axis, axis.with_value("links.shaft.damping", 0.0144562))]
-    for rest in rests:
-        assert (rest.positions["motor"], rest.positions["load"]) == pytest.approx((0.5, 0.5), rel=1e-9)
+    for place, value in (("links.shaft.damping", 0.0144562), ("references.path.step", 0.1)):
+        rest = respond(axis.with_value(place, value)).motion.rest
+        step = axis.with_value(place, value).value("references.path.step")
+        assert (rest.positions["motor"], rest.positions["load"]) == pytest.approx((step, step), rel=1e-9)
         assert not rest.forces_change and not any(rest.forces.values())
 
 
