@@ -154,7 +154,7 @@ def check_replaceable(path: Path, kind: FileKind | None) -> None:
         )
 
 
-def check_target(path: Path, kind: FileKind | None, *, overwrite: bool = False) -> None:
+def check_target(path: Path, kind: FileKind | None, *, overwrite: bool) -> None:
     """Check a file that will be written after some work: by ``check_replaceable``, and whether it can be."""
     _check_writable(path)
     if not overwrite:

@@ -24,12 +24,12 @@ def common_return(ratios: Sequence[float]) -> tuple[int, tuple[int, ...]] | None
     return None
 
 
-def levels(values: Reals | Sequence[float], close: float = CLOSE) -> Integers:
+def levels(values: Reals | Sequence[float]) -> Integers:
     """Return levels, (n,), from 0 for the smallest on; neighbours that agree, relatively, have the same."""
     given = np.asarray(values, dtype=float)
     order = np.argsort(given, kind="stable")
     rising = given[order]
-    apart = np.diff(rising) > close * np.maximum(abs(rising[1:]), abs(rising[:-1]))
+    apart = np.diff(rising) > CLOSE * np.maximum(abs(rising[1:]), abs(rising[:-1]))
     found = np.zeros(given.size, dtype=np.int64)
     found[order[1:]] = np.cumsum(apart)
     return found

@@ -92,11 +92,11 @@ def saturation_harmonic() -> sympy.Expr:
     return 4 * SLOPE * turned / (pi * n * (n**2 - 1))
 
 
-def relay_harmonic(harmonic: sympy.Expr = HARMONIC) -> sympy.Expr:
+def relay_harmonic() -> sympy.Expr:
     """Return N_n of a relay with thresholds for odd n."""
     middle, apart = (CORNER + FALL) / 2, (CORNER - FALL) / 2
-    size = 4 * LEVEL / (pi * harmonic * A)
-    return size * cos(harmonic * middle) * sympy.exp(-sympy.I * harmonic * apart)
+    size = 4 * LEVEL / (pi * HARMONIC * A)
+    return size * cos(HARMONIC * middle) * sympy.exp(-sympy.I * HARMONIC * apart)
 
 
 def relay_by_ratio() -> sympy.Expr:

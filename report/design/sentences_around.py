@@ -23,7 +23,7 @@ from trimmer.response.periodic.pace import period_word
 from trimmer.response.results.response import MotionKind
 
 
-def map_sentences(drawn: DesignMap, switched: bool, stepped: bool = False) -> str:
+def map_sentences(drawn: DesignMap, switched: bool, stepped: bool) -> str:
     """Say what a map shows around the working point, and what failed."""
     result = drawn.result
     own = f"In the cell nearest to the file’s own point the motion is {_cell_words(drawn)}."

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 import sympy
 
 LINE_LENGTH = 100
+INDENT = 4
 CONTINUATION = " ..."
 _BREAKABLE = re.compile(r"(?<=[\w.)\]]) (?=[+-] )")
 _CONTINUED = re.compile(r"\s*\.\.\.\s*")
@@ -41,13 +42,13 @@ class CodePrinter:
             )
         return _CONTINUED.sub(" ", sympy.octave_code(expression.xreplace(self._variables)))
 
-    def assignment(self, target: str, expression: sympy.Expr, indent: int = 4) -> str:
+    def assignment(self, target: str, expression: sympy.Expr) -> str:
         """Return ``target = expression;``, broken before a plus or minus where it is too long."""
-        return broken(f"{target} = {self.expression(expression)};", indent)
+        return broken(f"{target} = {self.expression(expression)};")
 
-    def matrix(self, target: str, matrix: sympy.MatrixBase, indent: int = 4) -> str:
+    def matrix(self, target: str, matrix: sympy.MatrixBase) -> str:
         """Return ``target = [...];`` with one line for each row."""
-        start = f"{' ' * indent}{target} = ["
+        start = f"{' ' * INDENT}{target} = ["
         rows = (
             ", ".join(self.expression(entry) for entry in matrix.row(index)) for index in range(matrix.rows)
         )
@@ -72,9 +73,9 @@ class CodePrinter:
         return "\n".join(lines)
 
 
-def broken(code: str, indent: int) -> str:
+def broken(code: str) -> str:
     """Break a statement before a plus or minus, as far outside of its parentheses as possible."""
-    lines, rest, margin = [], code, indent
+    lines, rest, margin = [], code, INDENT
     while margin + len(rest) > LINE_LENGTH:
         possible = [match.start() for match in _BREAKABLE.finditer(rest)]
         short_enough = [place for place in possible if margin + place + len(CONTINUATION) <= LINE_LENGTH]
@@ -82,7 +83,7 @@ def broken(code: str, indent: int) -> str:
             break
         place = max(short_enough or possible[:1], key=lambda end: (-_depth(rest[:end]), end))
         lines.append(" " * margin + rest[:place] + CONTINUATION)
-        rest, margin = rest[place + 1 :], indent + 4
+        rest, margin = rest[place + 1 :], 2 * INDENT
     return "\n".join([*lines, " " * margin + rest])
 
 

@@ -21,7 +21,7 @@ class BrokenLinkError(ValueError):
         self.places = tuple(places)
 
 
-def check_links(markdown: str, elsewhere: Iterable[str] = ()) -> None:
+def check_links(markdown: str, elsewhere: Iterable[str]) -> None:
     """Check that places, here and elsewhere, have names of their own and that each link leads to one.
 
     Raises:

@@ -58,7 +58,7 @@ class Variation:
     left_out: int
 
 
-def vary(parameters: TrimmerParameters, samples: int = SAMPLES) -> Variation:
+def vary(parameters: TrimmerParameters, samples: int) -> Variation:
     """Vary each parameter by itself, and all of them at random, a number of times.
 
     Raises:

@@ -63,7 +63,7 @@ class ControlLoops:
         return not (self.grows or self.marginal)
 
 
-def control_loops(mechanism: Mechanism, open_contacts: Collection[str] = ()) -> ControlLoops:
+def control_loops(mechanism: Mechanism, open_contacts: Collection[str]) -> ControlLoops:
     """Return the linear loops of a machine with continuous controllers, while sampled ones hold.
 
     Args:

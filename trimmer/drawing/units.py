@@ -21,10 +21,10 @@ def name_axis(axis: Axis, name: str, unit: str) -> None:
     axis.set_label_text(f"{name}, {prefix}{unit}" if unit else name, parse_math=False)
 
 
-def with_prefix(value: float, unit: str, digits: int = 4) -> str:
+def with_prefix(value: float, unit: str) -> str:
     """Write a value with its unit, with the prefix that suits it."""
     factor, prefix = prefix_for(abs(value), unit)
-    return f"{value / factor:.{digits}g} {prefix}{unit}".rstrip()
+    return f"{value / factor:.4g} {prefix}{unit}".rstrip()
 
 
 def prefix_for(largest: float, unit: str) -> tuple[float, str]:

@@ -46,7 +46,7 @@ class Margins:
         return self.upper_gain
 
 
-def margins_of(ratio: Callable[[float], complex], omegas: Reals, ends: Sequence[float] = ()) -> Margins:
+def margins_of(ratio: Callable[[float], complex], omegas: Reals, ends: Sequence[float]) -> Margins:
     """Find the margins of L(omega), which crosses an axis at most once between rising omegas, rad/s.
 
     At the ends L is real, beside crossings: 0, and half the sampling rate.

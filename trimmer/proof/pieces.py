@@ -36,7 +36,7 @@ class Piece:
         return [(arb_poly(row), off) for row, off in zip((rows * self.terms).tolist(), errors, strict=True)]
 
 
-def pieces(motion: BallMotion, over: Followed, free: tuple[int, ...] = ()) -> Iterator[Piece]:
+def pieces(motion: BallMotion, over: Followed, free: tuple[int, ...]) -> Iterator[Piece]:
     """Yield a motion piece by piece; hold event functions and sizes against each.
 
     No event function but the one that ends a segment comes to zero, but for what is zero at its start by law,

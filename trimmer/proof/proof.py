@@ -58,7 +58,7 @@ class Proof:
         write_atomically(path, "{" + ",\n ".join(lines) + "}\n")
 
 
-def proof_of(statement: str, data: dict[str, Any], limit: float = LIMIT) -> Proof:
+def proof_of(statement: str, data: dict[str, Any], limit: float) -> Proof:
     """Check a statement about data, within a time, s.
 
     Raises:

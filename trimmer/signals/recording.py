@@ -8,6 +8,8 @@ from dataclasses import dataclass, replace
 from trimmer.showing.shown import Shown, counted
 from trimmer.signals.signal import Signal, SignalError
 
+SHOWN_GAPS = 3  # How many are told
+
 
 @dataclass(frozen=True)
 class Gap:
@@ -86,9 +88,9 @@ class Recording(Shown):
         return Recording(tuple(kept), self.gaps)
 
 
-def told_gaps(gaps: tuple[Gap, ...], shown: int = 3) -> str:
+def told_gaps(gaps: tuple[Gap, ...]) -> str:
     """Name the first gaps, and how many there are, without a full stop."""
-    first = "; ".join(gap.sentence for gap in gaps[:shown])
+    first = "; ".join(gap.sentence for gap in gaps[:SHOWN_GAPS])
     return f"{len(gaps)} gap{'s' if len(gaps) > 1 else ''} in the time stamps: {first}" + (
-        "; ..." if len(gaps) > shown else ""
+        "; ..." if len(gaps) > SHOWN_GAPS else ""
     )

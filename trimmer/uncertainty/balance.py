@@ -38,8 +38,8 @@ class BalancedSamples:
     harmonics: int
 
 
-def balanced_samples(samples: Samples, count: int, harmonics: int = HARMONICS) -> BalancedSamples:
-    """Balance the forces of the first samples whose motion repeats, up to some harmonics of the drive."""
+def balanced_samples(samples: Samples, count: int) -> BalancedSamples:
+    """Balance the forces of the first samples whose motion repeats, up to ``HARMONICS``."""
     repeating = [at for at, trial in enumerate(samples.trials) if trial.period_count is not None]
     numbers, distances, converged = [], [], []
     for at in repeating[:count]:
@@ -50,8 +50,8 @@ def balanced_samples(samples: Samples, count: int, harmonics: int = HARMONICS) -
         orbit = settle(flow, flow.rest(), samples.inputs.settings.most_periods).orbit
         if orbit is None:
             continue
-        found = balanced_beside(orbit.course, flow.mechanism, orbit.periods, harmonics)
+        found = balanced_beside(orbit.course, flow.mechanism, orbit.periods, HARMONICS)
         numbers.append(at)
         distances.append(found.distance)
         converged.append(found.converged)
-    return BalancedSamples(tuple(numbers), np.array(distances), np.array(converged, dtype=bool), harmonics)
+    return BalancedSamples(tuple(numbers), np.array(distances), np.array(converged, dtype=bool), HARMONICS)

@@ -176,7 +176,7 @@ class KeptMap:
         return np.array(rows, dtype=float).T.reshape(len(MEASURES), *self.shape)
 
 
-def write_map(grid: Grid, cells: list[CellResult], beside: list[CellResult], folder: Path = FOLDER) -> None:
+def write_map(grid: Grid, cells: list[CellResult], beside: list[CellResult], folder: Path) -> None:
     """Keep a map; ``beside`` are its cells from a start next to rest."""
     inputs = grid.inputs
     kept = [kept_cell(inputs, cell) for cell in cells]

@@ -50,7 +50,7 @@ TERMS = st.lists(st.sampled_from(["a", "b.*c", "sin(d + e)", "(f - g.*(h + 1))./
 @given(terms=TERMS, signs=st.lists(st.sampled_from([" + ", " - "]), min_size=40, max_size=40))
 def test_breaking_changes_nothing_but_the_lines(terms, signs):
     code = terms[0] + "".join(sign + term for sign, term in zip(signs, terms[1:], strict=False))
-    lines = broken(f"v = {code};", 4).splitlines()
+    lines = broken(f"v = {code};").splitlines()
     joined = " ".join(line.removesuffix(CONTINUATION).strip() for line in lines)
     assert joined == f"v = {code};"
     assert max(map(len, lines)) <= LINE_LENGTH
@@ -61,7 +61,7 @@ def test_breaking_changes_nothing_but_the_lines(terms, signs):
 def test_breaks_stand_outside_of_parentheses_where_they_can():
     inner = f"({'i' * 20} + {'j' * 20})"
     code = f"v = {'a' * 30} + {inner}.*{inner};"
-    assert broken(code, 4).splitlines()[0] == f"    v = {'a' * 30}{CONTINUATION}"
+    assert broken(code).splitlines()[0] == f"    v = {'a' * 30}{CONTINUATION}"
 
 
 def test_comments_are_wrapped():

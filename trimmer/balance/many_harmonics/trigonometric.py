@@ -53,7 +53,7 @@ def falls_through_zero(function: Callable[[Reals], Reals], begin: float, end: fl
     return float(scipy.optimize.brentq(lambda phase: float(function(np.array(phase))), low, high, xtol=1e-15))
 
 
-def sign_changes(given: OddPolynomial, derivative: int = 0) -> list[float]:
+def sign_changes(given: OddPolynomial, derivative: int) -> list[float]:
     """Return the phases from 0 to below pi at which a polynomial, or a derivative of it, changes its sign."""
     phases = np.linspace(0.0, np.pi, POINTS)
     values = given(phases, derivative)

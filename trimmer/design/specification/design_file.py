@@ -126,7 +126,7 @@ def read_design_file(path: Path | str, changes: Changes = ()) -> DesignFile:
     return _design_file(bytes_of_file(path), str(path), path.parent, changes)
 
 
-def read_with_targets(path: Path | str, changes: Changes = ()) -> tuple[Mechanism, tuple[Target, ...]]:
+def read_with_targets(path: Path | str, changes: Changes) -> tuple[Mechanism, tuple[Target, ...]]:
     """Read a mechanism as ``read_mechanism`` does, with other numbers, and the targets in its file."""
     path = file_path("path", path)
     text, name = decoded(bytes_of_file(path)), str(path)

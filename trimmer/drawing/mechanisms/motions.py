@@ -77,7 +77,7 @@ def draw_phase_plane(flow: Flow, course: Course, axes: Axes) -> None:
     add_legend(axes)
 
 
-def draw_section(axes: Axes, flow: Flow, states: Reals, label: str, number: int = 0) -> None:
+def draw_section(axes: Axes, flow: Flow, states: Reals, label: str, number: int) -> None:
     """Draw the rate of the first output over itself at the start of each drive period, (count, n)."""
     (name, first), *_ = signals_of(flow).items()
     forcing = np.tile(flow.modes.system.layout.forcing_at(0.0), (len(states), 1))

@@ -19,14 +19,14 @@ RANGE = 60.0  # Decibels below the largest line that a waterfall shows
 WAYS = (("run-up", "o"), ("way back", "v"))  # What the ways are called, and their marks
 
 
-def sweep_figure(sweep: Sweep, output: str | None = None) -> Figure:
-    """Draw peak to peak of an output, and below it a waterfall of each way."""
+def sweep_figure(sweep: Sweep) -> Figure:
+    """Draw peak to peak of the output that is swept, and below it a waterfall of each way."""
     legs = sweep.legs()
     figure = new_figure(WIDTH, HEIGHT * (1 + len(legs)))
     first, *others = figure.subplots(1 + len(legs), sharex=True)
-    draw_sweep(sweep, first, output)
+    draw_sweep(sweep, first)
     for axes, leg, (way, _) in zip(others, legs, WAYS, strict=False):
-        _draw_waterfall(sweep, axes, sweep.output(output), leg)
+        _draw_waterfall(sweep, axes, sweep.output(None), leg)
         axes.set_title(way, fontsize="small")
     head(figure, sweep.subject.title)
     return figure
