@@ -120,9 +120,17 @@ class Course:
 
     def before(self, row: int) -> Reals:
         """Return the extended state, (N,), just before the event that begins a row of the log."""
-        segment = Log._make(each[row - 1 : row] for each in self.log)
-        state: Reals = sample(self.modes.tables, segment, self.log.start[row : row + 1])[0]
+        state: Reals = self._before(np.array([row]))[0]
         return state
+
+    def _before(self, rows: Integers) -> Reals:
+        """Return the extended states, (rows, N), just before what begins rows, at different instants."""
+        states = np.empty((len(rows), self.log.state.shape[1]))
+        for every_other in (slice(0, None, 2), slice(1, None, 2)):  # So each is over before the next begins.
+            some = rows[every_other]
+            segments = Log._make(each[some - 1] for each in self.log)
+            states[every_other] = sample(self.modes.tables, segments, self.log.start[some])
+        return states
 
     @cached_property
     def segment_ends(self) -> Reals:
@@ -131,11 +139,12 @@ class Course:
         ends = np.vstack([log.state[1:], self.states(np.array([self.duration]))])
         held = self.modes.system.layout.holding
         ends[:, held] = log.state[:, held]  # Between samples nothing moves it.
-        jumps = (log.kind >= OWN_KINDS) | ((log.kind == NOTHING) & (log.function == -1))
-        for row in (np.flatnonzero(jumps[1:] & (np.diff(log.start) > 0)) + 1).tolist():
-            # Where no event begins it, a profile or a reference may have jumped.
-            if log.kind[row] == NOTHING or impulse(int(log.part[row]), int(log.kind[row])):
-                ends[row - 1] = self.before(row)
+        # Where no event begins a segment, a profile or a reference may have jumped.
+        jumps = (log.kind == NOTHING) & (log.function == -1)
+        for row in np.flatnonzero(log.kind >= OWN_KINDS).tolist():
+            jumps[row] = impulse(int(log.part[row]), int(log.kind[row])) is not None
+        rows = np.flatnonzero(jumps[1:] & (np.diff(log.start) > 0)) + 1
+        ends[rows - 1] = self._before(rows)
         return ends
 
     @property
