@@ -104,14 +104,10 @@ class Arc:
         Raises:
             LostError: if some are: between them the places have jumped to another curve.
         """
-        steepness = STEEPEST * self._steepness(places[0], places[-1])
+        chord = places[-1].position - places[0].position
+        steepness = STEEPEST * float(norm(chord) / (self.direction @ chord))
         for left, right in itertools.pairwise(places):
             ahead = self.distance(right) - self.distance(left)
             apart = norm(right.position - left.position)
             if apart > steepness * ahead + APART:
                 raise LostError
-
-    def _steepness(self, left: Place, right: Place) -> float:
-        """Return how long the chord of two places is, relative to how far it leads along the direction."""
-        chord = right.position - left.position
-        return float(norm(chord) / (self.direction @ chord))

@@ -67,7 +67,8 @@ def special_points(border: Border) -> list[SpecialPoint]:
     """Return what a border is: a grazing, an onset of stick, or several of these at once."""
     changed, found = border.changes, []
     for kind in (SpecialKind.GRAZING, SpecialKind.STICK):
-        of_kind = {key: change for key, change in changed.items() if _kind(key[1]) is kind}
+        sticks = kind is SpecialKind.STICK
+        of_kind = {key: change for key, change in changed.items() if (key[1] is Phase.STICK) == sticks}
         if of_kind:
             found.append(_special_point(border, kind, of_kind))
     return found
@@ -101,10 +102,6 @@ def grazing(place: Place, points: Sequence[BranchPoint]) -> SpecialPoint:
 
 def _largest(point: BranchPoint) -> float:
     return float(abs(point.multipliers).max())
-
-
-def _kind(phase: Phase) -> SpecialKind:
-    return SpecialKind.STICK if phase is Phase.STICK else SpecialKind.GRAZING
 
 
 def _special_point(border: Border, kind: SpecialKind, changes: dict[tuple[str, Phase], int]) -> SpecialPoint:

@@ -6,7 +6,7 @@ from trimmer.arrays import Reals
 from trimmer.branches.arc import Arc
 from trimmer.branches.bifurcations import Bifurcation
 from trimmer.branches.null_vector import null_vector
-from trimmer.branches.orbit import Place, Problem
+from trimmer.branches.orbit import Problem
 from trimmer.branches.step import Front, begun
 
 DISTANCES = (3e-5, 1e-4, 1e-3, 1e-2)
@@ -22,18 +22,13 @@ def parted_fronts(problem: Problem, bifurcation: Bifurcation) -> list[Front]:
     in the same way: a and -a are mirror images. Where branches cross otherwise there is one on each side.
     """
     doubled = abs(bifurcation.place.multipliers + 1.0).min() < abs(bifurcation.place.multipliers - 1.0).min()
-    critical = _critical(bifurcation.place, -1.0 if doubled else 1.0)
+    matrix = bifurcation.place.monodromy
+    critical = np.append(null_vector(matrix - (-1.0 if doubled else 1.0) * np.eye(len(matrix))), 0.0)
     if doubled:
         problem = Problem(problem.map.doubled(), problem.span, problem.sizes)
     directions = [critical] if doubled else [critical, -critical]
     fronts = [_first(problem, bifurcation.place.position, each) for each in directions]
     return [front for front in fronts if front is not None]
-
-
-def _critical(place: Place, multiplier: float) -> Reals:
-    """Return the unit direction, shape (n + 1,), of the eigenvector of the multiplier nearest to a number."""
-    matrix = place.monodromy - multiplier * np.eye(len(place.miss))
-    return np.append(null_vector(matrix), 0.0)
 
 
 def _first(problem: Problem, origin: Reals, direction: Reals) -> Front | None:

@@ -37,8 +37,9 @@ def draw_orbits(orbits: Sequence[PeriodicOrbit], axes: Axes) -> None:
 
 def in_plane(orbit: PeriodicOrbit, times: Reals) -> Reals:
     """Return the element's input, m, and its rate, m/s, at times, s, (2, times)."""
+    modes = orbit.motion.loop.modes
     return orbit.motion.values(
-        times, lambda mode: np.array([mode.signals[0].input, mode.signals[0].input_rate])
+        times, lambda mode: np.array([modes[mode].signals[0].input, modes[mode].signals[0].input_rate])
     )
 
 

@@ -14,7 +14,6 @@ from trimmer.generated import linear_trimmer
 from trimmer.hybrid.taylor import DEGREE
 from trimmer.linear.model import InputChannels
 from trimmer.loops.components.of_elements import components_of
-from trimmer.loops.mode import LoopMode
 from trimmer.loops.motion import LoopMotion
 from trimmer.loops.trimmer_loop import TrimmerLoop
 from trimmer.motion.motion import Energy, Motion
@@ -177,8 +176,8 @@ def _sampled(motion: LoopMotion, loop: TrimmerLoop, times: Reals) -> _Sampled:
         # The states are then the velocities less their rows of B2 u (``trimmer.linear.model.pin_model``).
         velocity_gain = np.array(linear_trimmer.input_matrix(*loop.parameters.values()))[BODIES:, 1]
 
-    def rows_of(mode: LoopMode) -> Reals:
-        states = np.eye(2 * BODIES, layout.size)
+    def rows_of(number: int) -> Reals:
+        mode, states = loop.modes[number], np.eye(2 * BODIES, layout.size)
         bridge = np.array(system.element_factors) @ [each.output for each in mode.signals[:first]]
         between = mode.signals[first:]
         return np.vstack(

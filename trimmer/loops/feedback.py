@@ -1,6 +1,6 @@
 """A linear system of any size with any number of elements between its outputs and its inputs."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import product
 from typing import Any, final
@@ -20,10 +20,10 @@ from trimmer.loops.drive import Drive
 from trimmer.loops.interconnection import Connection, Interconnection, effect, interconnected
 from trimmer.loops.loop_signal import LoopSignal
 from trimmer.loops.loops import AT_REST, ClosedLoop, Loop, taken_start
-from trimmer.loops.mode import LoopMode
 from trimmer.loops.plant import in_state_space, taken_system
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.messages import near_or_all
+from trimmer.motion.signals import Signal, Steady
 
 UNDRIVEN: Mapping[str, Drive] = ReadOnly({})
 
@@ -123,7 +123,7 @@ class Feedback(Loop):
         places = map(self._places, self.elements)
         return tuple((self.plant.B[:, fed], self.plant.C[taken]) for taken, fed in places)
 
-    def signal_rows(self) -> Mapping[str, Callable[[LoopMode], Reals]]:
+    def signal_rows(self) -> Mapping[str, Signal]:
         """Return the outputs of the plant, those of the elements, as ``gap output``, and states, by name.
 
         Where a state is called like an output, the output is meant.
@@ -131,11 +131,11 @@ class Feedback(Loop):
         rows = {name: self._output(number) for number, name in enumerate(self.plant.output_labels)}
         rows |= {f"{name} output": self._fed(name) for name in self.elements}
         for place, name in enumerate(self.plant.state_labels):
-            rows.setdefault(name, _steady(np.eye(1, self.modes.system.layout.size, place)[0]))
+            rows.setdefault(name, Steady(np.eye(1, self.modes.system.layout.size, place)[0]))
         return rows
 
-    def own_row(self, signal: object) -> Callable[[LoopMode], Reals] | None:
-        """Return what gives the row of a signal by name; what every loop has is that of the first element.
+    def own_row(self, signal: object) -> Signal | None:
+        """Return a signal by name; what every loop has is that of the first element.
 
         Raises:
             LoopError: if there is no such name.
@@ -153,19 +153,20 @@ class Feedback(Loop):
             raise LoopError(f"no signal is called {name!r}; {near_or_all(name, rows)}")
         return rows[name]
 
-    def _fed(self, name: str) -> Callable[[LoopMode], Reals]:
+    def _fed(self, name: str) -> Signal:
         counts = [len(components_of(element)) for element in self.elements.values()]
         number = list(self.elements).index(name)
         parts = slice(sum(counts[:number]), sum(counts[: number + 1]))
-        factors = np.array(self.modes.system.interconnection.element_factors[parts])
+        modes = self.modes
+        factors = np.array(modes.system.interconnection.element_factors[parts])
 
-        def row(mode: LoopMode) -> Reals:
-            fed: Reals = factors @ np.array([each.output for each in mode.signals[parts]])
+        def row(mode: int) -> Reals:
+            fed: Reals = factors @ np.array([each.output for each in modes[mode].signals[parts]])
             return fed
 
         return row
 
-    def _output(self, number: int) -> Callable[[LoopMode], Reals]:
+    def _output(self, number: int) -> Signal:
         layout, plant = self.modes.system.layout, self.plant
         steady = np.zeros(layout.size)
         steady[: layout.order] = plant.C[number]
@@ -236,10 +237,6 @@ def _labels(name: str, components: Sequence[str]) -> list[str]:
     before = [components[:place].count(each) for place, each in enumerate(components)]
     numbers = [f" {count + 1}" if count else "" for count in before]
     return [f"{name} {each}{number}" for each, number in zip(components, numbers, strict=True)]
-
-
-def _steady(row: Reals) -> Callable[[LoopMode], Reals]:
-    return lambda mode: row
 
 
 def _plant(system: object, names: tuple[str, ...]) -> control.StateSpace:

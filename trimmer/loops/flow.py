@@ -17,7 +17,6 @@ from trimmer.loops.components.backlash_component import BacklashComponent
 from trimmer.loops.components.relay_component import RelayComponent
 from trimmer.loops.initial import resumed
 from trimmer.loops.loops import Loop
-from trimmer.loops.mode import LoopMode
 from trimmer.loops.readouts import contact_measures, friction_measures, part_of
 from trimmer.loops.system import LoopModes, LoopSystem
 from trimmer.motion.course import Course
@@ -133,14 +132,7 @@ class LoopFlow(Flow):
     @cached_property
     def outputs(self) -> Mapping[str, Readout]:
         """Output of the linear system, input and output of the element; or what the loop names."""
-        return {
-            name: Readout(self._signal(row), self.loop.length)
-            for name, row in self.loop.signal_rows().items()
-        }
-
-    def _signal(self, row: Callable[[LoopMode], Reals]) -> Signal:
-        modes = self.modes
-        return lambda mode: row(modes[mode])
+        return {name: Readout(row, self.loop.length) for name, row in self.loop.signal_rows().items()}
 
     @property
     def accelerations(self) -> Mapping[str, Signal]:

@@ -47,7 +47,8 @@ class Interconnection:
     def __post_init__(self) -> None:
         for k, (component, label) in enumerate(zip(self.components, self.labels, strict=True)):
             jumping = [j for j, other in enumerate(self.components) if other.output_jumps or j == k]
-            if isinstance(component, ThresholdComponent) and component.slides and _slides(self, k):
+            works_against = effect(self.C[k], self.B[:, k]) < 0.0
+            if isinstance(component, ThresholdComponent) and component.slides and works_against:
                 raise UnsupportedMotionError(
                     f"{label}: without hysteresis it would slide along the edge of the dead zone, which is "
                     "not followed; give it hysteresis, or a system with two more poles than zeros"
@@ -101,11 +102,6 @@ def interconnected(
         drives=tuple(drives),
         element_factors=tuple(elements),
     )
-
-
-def _slides(system: Interconnection, k: int) -> bool:
-    """Return whether an output works against the rate of its own input."""
-    return effect(system.C[k], system.B[:, k]) < 0.0
 
 
 def acts(row: Reals, column: Reals) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from enum import Enum
 from typing import TYPE_CHECKING
 
@@ -11,11 +10,11 @@ import numpy as np
 from trimmer.arguments import require_instance
 from trimmer.displacement import Displacement
 from trimmer.errors import UnsupportedMotionError
+from trimmer.motion.signals import Signal, Steady
 
 if TYPE_CHECKING:
     from trimmer.arrays import Reals
     from trimmer.loops.loops import Loop
-    from trimmer.loops.mode import LoopMode
 
 
 class LoopSignal(Enum):
@@ -34,26 +33,26 @@ READ = {
 """What is read of every loop, by name."""
 
 
-def row_in_modes(loop: Loop, signal: LoopSignal | Displacement | str) -> Callable[[LoopMode], Reals]:
-    """Return what gives the row of a signal, or of a displacement of a trimmer, in a mode, (n,)."""
+def row_in_modes(loop: Loop, signal: LoopSignal | Displacement | str) -> Signal:
+    """Return a signal, or a displacement of a trimmer, as a functional of the extended state in each mode."""
     own = loop.own_row(signal)
     if own is not None:
         return own
     require_instance("signal", signal, (LoopSignal, Displacement), "a LoopSignal or a Displacement")
-    model, size = loop.model, loop.modes.system.layout.size
+    model, modes = loop.model, loop.modes
     if isinstance(signal, Displacement):
-        return lambda mode: _of_states(loop, signal)
+        return Steady(_of_states(loop, signal))
     if signal is LoopSignal.ELEMENT_INPUT:
-        return lambda mode: mode.signals[0].input
-    factors = np.array(loop.modes.system.interconnection.element_factors)
+        return lambda mode: modes[mode].signals[0].input
+    factors = np.array(modes.system.interconnection.element_factors)
 
-    def element_output(mode: LoopMode) -> Reals:
-        row: Reals = factors @ np.array([each.output for each in mode.signals[: len(factors)]])
+    def element_output(mode: int) -> Reals:
+        row: Reals = factors @ np.array([each.output for each in modes[mode].signals[: len(factors)]])
         return row
 
     if signal is LoopSignal.ELEMENT_OUTPUT:
         return element_output
-    of_states = np.zeros(size)
+    of_states = np.zeros(modes.system.layout.size)
     of_states[: model.nstates] = model.C[0]
     return lambda mode: of_states + model.D[0, 0] * element_output(mode)
 

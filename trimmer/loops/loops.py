@@ -2,7 +2,7 @@
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Self, cast, final
@@ -18,12 +18,12 @@ from trimmer.linear.stored_system import restored, stored
 from trimmer.loops.components.of_elements import RigidComponent, components_of
 from trimmer.loops.drive import Drive, common_omega
 from trimmer.loops.interconnection import Connection, Interconnection, interconnected
-from trimmer.loops.mode import LoopMode
 from trimmer.loops.plant import realized, taken_system
 from trimmer.loops.system import LoopModes, LoopSystem
 from trimmer.mechanism.place_text import place_text
 from trimmer.mechanism.read_only import ReadOnly
 from trimmer.messages import near_or_all
+from trimmer.motion.signals import Signal
 
 COMPUTED = ("model", "modes")  # What a loop computes from its fields and keeps
 AT_REST: Mapping[str, float] = ReadOnly({})
@@ -131,14 +131,14 @@ class Loop(ABC):
         """What each element does to the rates of the states, (n,), and what it takes of the states, (n,)."""
         return ((self.model.B[:, 0], -self.model.C[0]),)
 
-    def signal_rows(self) -> Mapping[str, Callable[[LoopMode], Reals]]:
-        """Return what gives the row of each signal in a mode, (N,) over the extended state, by its name."""
+    def signal_rows(self) -> Mapping[str, Signal]:
+        """Return each signal as a functional of the extended state, (N,), in each mode, by its name."""
         from trimmer.loops.loop_signal import READ, row_in_modes
 
         return {name: row_in_modes(self, signal) for name, signal in READ.items()}
 
-    def own_row(self, signal: object) -> Callable[[LoopMode], Reals] | None:
-        """Return what gives the row of a signal of a loop that names its signals itself; else None."""
+    def own_row(self, signal: object) -> Signal | None:
+        """Return a signal of a loop that names its signals itself; else None."""
         return None
 
     @cached_property

@@ -118,7 +118,9 @@ def _of_components(system: Interconnection, mode: LoopMode, coupled: CoupledRela
         if held and k in coupled.members:
             continue
         signals = mode.signals[k]
-        found = component.event_functions(mode.statuses[k], signals, _attracting(system, signals, k))
+        switching = component.switching_function(signals)[: system.order]
+        works_against = effect(switching, system.B[:, k]) < 0.0
+        found = component.event_functions(mode.statuses[k], signals, works_against)
         can_be_held = attracting(system, k)
         for number, each in enumerate(found):
             reached, jumped = (
@@ -212,9 +214,3 @@ def _own_flow(system: Interconnection, layout: StateLayout, component_modes: tup
         flow[: layout.order, sine] = system.drive_push[:, number] * drive.amplitude
         flow[sine, sine + 1], flow[sine + 1, sine] = omega, -omega
     return flow
-
-
-def _attracting(system: Interconnection, signals: Signals, k: int) -> bool:
-    """Return whether the output of a component works against the rate of its own switching function."""
-    row = system.components[k].switching_function(signals)[: system.order]
-    return effect(row, system.B[:, k]) < 0.0

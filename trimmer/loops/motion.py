@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from trimmer.hybrid.work import Log
     from trimmer.loops.energy import EnergyBalance
     from trimmer.loops.loops import Loop
-    from trimmer.loops.mode import LoopMode
+    from trimmer.motion.signals import Signal
 
 
 class Outcome(Enum):
@@ -175,7 +175,7 @@ class LoopMotion(Motion):
         Raises:
             ValueError: see ``values``.
         """
-        return self._of(LoopSignal.OUTPUT, times)
+        return self._values(row_in_modes(self.loop, LoopSignal.OUTPUT), times)
 
     def element_input(self, times: ArrayLike) -> Reals:
         """Return the input of the nonlinear element, the first one, in the shape of the times (s).
@@ -183,7 +183,7 @@ class LoopMotion(Motion):
         Raises:
             ValueError: see ``values``.
         """
-        return self._of(LoopSignal.ELEMENT_INPUT, times)
+        return self._values(row_in_modes(self.loop, LoopSignal.ELEMENT_INPUT), times)
 
     def element_output(self, times: ArrayLike) -> Reals:
         """Return the output of the nonlinear element, the first one, in the shape of the times (s).
@@ -191,7 +191,7 @@ class LoopMotion(Motion):
         Raises:
             ValueError: see ``values``.
         """
-        return self._of(LoopSignal.ELEMENT_OUTPUT, times)
+        return self._values(row_in_modes(self.loop, LoopSignal.ELEMENT_OUTPUT), times)
 
     def component_outputs(self, times: ArrayLike) -> Reals:
         """Return the output of every component, in the order of ``loop.interconnection().labels``.
@@ -204,24 +204,24 @@ class LoopMotion(Motion):
         Raises:
             ValueError: see ``values``.
         """
-        values = self.values(times, lambda mode: np.array([each.output for each in mode.signals]))
-        coupled = self.loop.modes.system.coupled
+        modes = self.loop.modes
+        values = self.values(times, lambda mode: np.array([each.output for each in modes[mode].signals]))
+        coupled = modes.system.coupled
         if coupled.members:
             flat, instants = values.reshape(len(values), -1), np.ravel(np.asarray(times, dtype=float))
             segments = np.searchsorted(self.log.start, instants, side="right") - 1
             for place, number in enumerate(self.log.mode[segments]):
-                modes = self.loop.modes[int(number)].statuses
-                flat[:, place] = coupled.shared(modes, flat[:, place])
+                flat[:, place] = coupled.shared(modes.statuses[int(number)], flat[:, place])
         return values
 
-    def values(self, times: ArrayLike, rows_of: Callable[[LoopMode], Reals]) -> Reals:
+    def values(self, times: ArrayLike, rows_of: Signal) -> Reals:
         """Return rows of the extended state, which may differ from mode to mode, at times (s).
 
         At an event they are those just after it.
 
         Args:
             times: Instants, s, of any shape and order, from 0 to ``duration``.
-            rows_of: Function from a mode to its rows, an array (p, n).
+            rows_of: Function from the number of a mode to its rows, an array (p, n).
 
         Returns:
             Array of shape (p,) + shape of the times.
@@ -232,7 +232,7 @@ class LoopMotion(Motion):
         instants, rising, order = ordered(times, self.duration)
         states = sample(self.loop.modes.tables, self.log, rising)
         visited = self.log.mode[np.searchsorted(self.log.start, rising, side="right") - 1]
-        rows = {number: rows_of(self.loop.modes[number]) for number in np.unique(self.log.mode).tolist()}
+        rows = {number: rows_of(number) for number in np.unique(self.log.mode).tolist()}
         values = np.empty((len(next(iter(rows.values()))), order.size))
         for number, of_mode in rows.items():
             values[:, order[visited == number]] = of_mode @ states[visited == number].T
@@ -247,10 +247,7 @@ class LoopMotion(Motion):
     def _read(self, name: str, times: ArrayLike) -> Reals:
         return self._values(self.loop.signal_rows()[name], times)
 
-    def _of(self, signal: LoopSignal, times: ArrayLike) -> Reals:
-        return self._values(row_in_modes(self.loop, signal), times)
-
-    def _values(self, row: Callable[[LoopMode], Reals], times: ArrayLike) -> Reals:
+    def _values(self, row: Signal, times: ArrayLike) -> Reals:
         values: Reals
         (values,) = self.values(times, lambda mode: row(mode)[None])
         return values

@@ -60,7 +60,8 @@ def resumed(path: Path, inputs: MapInputs) -> list[CellResult]:
             result = typed(CellResult, data)
         except DataError as error:
             raise _MAPS.damaged(path, line, error) from error
-        problem = _problem(result, inputs, flow) or _twice(result.number, numbers)
+        twice = f"number is {result.number}, as in a line before" if result.number in numbers else ""
+        problem = _problem(result, inputs, flow) or twice
         if problem:
             raise _MAPS.damaged(path, line, problem)
         results.append(result)
@@ -72,10 +73,6 @@ def resumed(path: Path, inputs: MapInputs) -> list[CellResult]:
 def append(path: Path, results: Iterable[CellResult]) -> Iterator[CellResult]:
     """Write results to the end of a file as they come, and yield them; see ``appended``."""
     return appended(path, results, _as_data)
-
-
-def _twice(number: int, numbers: set[int]) -> str:
-    return f"number is {number}, as in a line before" if number in numbers else ""
 
 
 def _problem(result: CellResult, inputs: MapInputs, flow: Flow) -> str:

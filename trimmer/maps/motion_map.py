@@ -84,7 +84,7 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
     """
     require_subject(mechanism)
     settings = Settings(
-        _waited(mechanism) if most_periods is None else _periods(mechanism, most_periods),
+        _periods(mechanism, most_periods),
         whole_number("starts", starts, 1),
         whole_number("seed", seed, 0),
         tuple(measures),
@@ -105,11 +105,10 @@ def motion_map(  # noqa: PLR0913 (each is a choice of its own, all but two with 
     return MotionMap(inputs, tuple(done[number] for number in range(inputs.count)))
 
 
-def _waited(mechanism: Mechanism | Loop) -> int:
-    return _periods(mechanism, MOST_PERIODS) if is_driven(mechanism) else sum(STRETCHES)
-
-
-def _periods(mechanism: Mechanism | Loop, most_periods: int) -> int:
+def _periods(mechanism: Mechanism | Loop, most_periods: int | None) -> int:
+    if most_periods is None and not is_driven(mechanism):
+        return sum(STRETCHES)
+    most_periods = MOST_PERIODS if most_periods is None else most_periods
     return whole_number("most_periods", most_periods, 2) * pace_of(mechanism)
 
 

@@ -13,7 +13,7 @@ from trimmer.motion.extremes import extremes
 from trimmer.motion.flow import Flow
 from trimmer.motion.fourier import fourier
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-from trimmer.motion.signals import Signal, along, read
+from trimmer.motion.signals import along, read
 
 HARMONICS = 20  # Number of harmonics of the drive that are given
 
@@ -124,17 +124,13 @@ class Measures:
     @cached_property
     def rms_acceleration(self) -> Mapping[str, float]:
         """Of each body, m/s²; the acceleration jumps where the force of a contact or a friction does."""
-        nodes = self.course.nodes
+        nodes, signals = self.course.nodes, self.flow.accelerations
+        if self.still:
+            return dict.fromkeys(signals, 0.0)
+        values = {name: along(self.course, each, nodes.rows, nodes.states) for name, each in signals.items()}
         return {
-            name: 0.0
-            if self.still
-            else float(np.sqrt(nodes.weights @ self._at_nodes(signal) ** 2 / self.course.duration))
-            for name, signal in self.flow.accelerations.items()
+            name: float(np.sqrt(nodes.weights @ a**2 / self.course.duration)) for name, a in values.items()
         }
-
-    def _at_nodes(self, signal: Signal) -> Reals:
-        nodes = self.course.nodes
-        return along(self.course, signal, nodes.rows, nodes.states)
 
     @cached_property
     def contacts(self) -> Mapping[str, ContactMeasures]:

@@ -208,10 +208,9 @@ class PeriodicOrbit(Orbit):
 
     def _row(self, signal: LoopSignal | Displacement | str) -> Signal:
         if self.given is not None and isinstance(signal, Displacement):
-            given, mode = self.given, self.motion.loop.modes[int(self.motion.log.mode[0])]
-            return Steady(given.row(row_in_modes(given.loop, signal)(mode)))
-        row, modes = row_in_modes(self._computed, signal), self._computed.modes
-        return lambda mode: row(modes[mode])
+            row = row_in_modes(self.given.loop, signal)(int(self.motion.log.mode[0]))
+            return Steady(self.given.row(row))
+        return row_in_modes(self._computed, signal)
 
     @cached_property
     def impacts(self) -> tuple[ImpactEvent, ...]:

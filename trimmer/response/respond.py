@@ -92,7 +92,8 @@ def respond(
     begin = instant_of(flow, state)
     first = search.motion(begin)
     reached = dict(box) if box is not None else _reached(flow, first, begin)
-    found = search.grouped(first, _until(deadline, _random(flow, reached, starts - 1, seed)))
+    others = takewhile(lambda _: not deadline.passed, _random(flow, reached, starts - 1, seed))
+    found = search.grouped(first, others)
     starts = sum(each.starts for each in found)
     shared = tuple(replace(each, share=each.starts / starts) for each in found)
     return Response(mechanism, shared, starts, reached, seed)
@@ -283,10 +284,6 @@ def _reached(flow: Flow, motion: SettledMotion, start: Instant) -> dict[str, tup
         times = np.linspace(0.0, course.duration, AT_FIRST * INSTANTS)
         sizes = abs(course.states(times)[:, : flow.size]).max(axis=0)
     return {name: tuple(sizes[list(places)].tolist()) for name, places in flow.axes.items()}
-
-
-def _until(deadline: Deadline, instants: Iterator[Instant]) -> Iterator[Instant]:
-    return takewhile(lambda _: not deadline.passed, instants)
 
 
 def _random(flow: Flow, box: Mapping[str, tuple[float, ...]], count: int, seed: int) -> Iterator[Instant]:

@@ -83,7 +83,8 @@ def self_excited(flow: Flow, instant: Instant, most_periods: int | None = None) 
         if course.ending not in (Ending.REACHED_END, Ending.STEP_LIMIT):
             raise OrbitNotFoundError(f"the motion cannot be followed: {course.ending.value}")
         happened += len(course.events)
-        reached.append((waited, state_sizes(flow, flow.reduced(_at_events(flow, course)))))
+        states = np.vstack([course.log.state[1:, : flow.size], course.end.state])
+        reached.append((waited, state_sizes(flow, flow.reduced(states))))
         returns.append(Returns.of(flow, course))
         orbit = _settled_to(flow, returns[-1], known)
         if orbit is not None:
@@ -116,7 +117,8 @@ def _without_events(flow: Flow, instant: Instant, waited: float) -> SelfExcited 
     """
     at_last = solved(flow, instant)
     if at_last is not None:
-        return SelfExcited(waited, _repeating(at_last), at_last.rest, at_last)
+        repeats = at_last.kind is MotionKind.PERIODIC
+        return SelfExcited(waited, at_last.orbit if repeats else None, at_last.rest, at_last)
     if grows_for_ever(flow, instant):
         raise DivergingMotionError(
             "it diverges: a constant force meets what nothing holds or damps, and no event comes any "
@@ -165,11 +167,6 @@ def _settled_to(flow: Flow, returns: Returns, known: list[Orbit]) -> Orbit | Non
     return next((each for each in reversed(known) if has_arrived(each, course)), None)
 
 
-def _at_events(flow: Flow, course: Course) -> Reals:
-    """Return the states of a motion where something happens, and at its end, (rows, n)."""
-    return np.vstack([course.log.state[1:, : flow.size], course.end.state])
-
-
 def _rest_after(flow: Flow, course: Course, unit: float) -> Rest | None:
     """Return the rest that a motion has come to, or to which its slips lead; None if there is none.
 
@@ -186,10 +183,6 @@ def _rest_after(flow: Flow, course: Course, unit: float) -> Rest | None:
         )
     limit = asymptotic_rest(flow, course, unit)
     return _rest(flow, course.end) if limit is None and at_rest(course, unit) else limit
-
-
-def _repeating(found: Solved) -> Orbit | None:
-    return found.orbit if found.kind is MotionKind.PERIODIC else None
 
 
 def _rest(flow: Flow, instant: Instant) -> Rest:
