@@ -22,7 +22,6 @@ from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.machine.statuses import ALWAYS, FORWARD, FREE, LOOSE, PLUS
 from trimmer.contact.machine.statuses import WITHIN as UNLIMITED
 from trimmer.contact.modes.assembly import flow_without_stick
-from trimmer.contact.modes.control_limits import first_control
 from trimmer.contact.modes.curves import segments_at
 from trimmer.contact.state.layout import MechanismLayout
 from trimmer.hybrid.clock import WITHIN
@@ -138,7 +137,7 @@ class _LinearMachine:
             *(UNLIMITED for _ in layout.controllers),
             *(LOOSE for _ in layout.walls),
         )
-        assert len(statuses) == first_control(machine) + len(layout.controllers) + len(layout.walls)
+        assert len(statuses) == machine.first_control + len(layout.controllers) + len(layout.walls)
         return statuses
 
     @cached_property

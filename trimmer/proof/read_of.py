@@ -8,7 +8,6 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.machine.statuses import CONTACT_MADE, IMPACT, STICK
-from trimmer.contact.modes.impulses import first_wall
 from trimmer.motion.course import Course
 from trimmer.motion.flow import Flow
 from trimmer.motion.signals import OwnValues, Readout, Signal, Steady, rate
@@ -105,7 +104,7 @@ def _meeting(
     machine, layout, log = flow.modes.system.machine, flow.modes.system.layout, course.log
     if name in layout.walls:
         number, kind, row = layout.walls.index(name), IMPACT, machine.wall_rate
-        part = first_wall(machine) + number
+        part = machine.first_wall + number
     else:
         number, kind, row = layout.contacts.index(name), CONTACT_MADE, machine.contact_rate
         part = number

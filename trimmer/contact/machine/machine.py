@@ -71,11 +71,31 @@ class Machine(NamedTuple):
         return statuses[len(statuses) - len(self.restitution) :]
 
     @property
+    def first_curve(self) -> int:
+        """Number of the first curve among all parts: behind contacts and frictions."""
+        return len(self.stiffness) + len(self.kinetic)
+
+    @property
+    def first_control(self) -> int:
+        """Number of the first controller: behind the curves."""
+        return self.first_curve + len(self.curve_over)
+
+    @property
+    def first_wall(self) -> int:
+        """Number of the first wall: behind all others."""
+        return self.first_control + len(self.control_limit)
+
+    @property
+    def velocities(self) -> slice:
+        """Places of the velocities in the extended state: behind the displacements."""
+        bodies = self.contact_push.shape[1]
+        return slice(bodies, 2 * bodies)
+
+    @property
     def holds(self) -> Places:
         """Numbers among all parts of what may hold two ends together: frictions, then walls."""
-        contacts, frictions, walls = len(self.stiffness), len(self.kinetic), len(self.restitution)
-        first = contacts + frictions + len(self.curve_over) + len(self.control_limit)
-        return np.concatenate([contacts + np.arange(frictions), first + np.arange(walls)])
+        frictions, walls = np.arange(len(self.stiffness), self.first_curve), np.arange(len(self.restitution))
+        return np.concatenate([frictions, self.first_wall + walls])
 
     @property
     def hold_rate(self) -> Reals:

@@ -28,7 +28,6 @@ from trimmer.contact.machine.statuses import (
 )
 from trimmer.contact.modes.control_limits import add_controls, functions_of_controls
 from trimmer.contact.modes.curves import add_curves, functions_of_curves
-from trimmer.contact.modes.impulses import first_wall
 from trimmer.hybrid.dry_friction import elementary_vectors, independent
 from trimmer.hybrid.system import ARRIVED, AT_LIMIT, JOINTLY, NO_STATE, STRUCK, EventFunction, ModeEquations
 from trimmer.kept_property import cached_property
@@ -75,7 +74,7 @@ class Assembler:
     def mode(self, statuses: tuple[int, ...]) -> ModeEquations:
         """Return the equations of a mode, by the statuses of contacts, frictions, curves, controls, walls."""
         machine = self.machine
-        contacts, bodies = len(machine.stiffness), machine.contact_push.shape[1]
+        contacts, velocities = len(machine.stiffness), machine.velocities
         flow = flow_without_stick(machine, statuses)
         hold = identity(len(flow)).copy()
         for contact, z in self._springs:
@@ -91,7 +90,7 @@ class Assembler:
         sticking += [len(rubbing) + number for number in resting]
         if sticking:
             holding = self._holding(tuple(sticking))
-            forces, velocities = holding.inverse @ (holding.rates @ flow), slice(bodies, 2 * bodies)
+            forces = holding.inverse @ (holding.rates @ flow)
             flow[velocities] = _difference(
                 flow[velocities], holding.push.T @ forces, holding.shares @ abs(flow)
             )
@@ -135,8 +134,7 @@ class Assembler:
 
 def _holding(machine: Machine, sticking: Places) -> _Holding:
     """Return what some holds do, by their numbers."""
-    bodies, every = machine.contact_push.shape[1], machine.hold_rate
-    velocities = slice(bodies, 2 * bodies)
+    every, velocities = machine.hold_rate, machine.velocities
     tree = sticking[independent(every[sticking, velocities])]
     rates, push = every[tree], machine.hold_push[tree]
     inverse = np.asarray(np.linalg.inv(rates[:, velocities] @ push.T), dtype=np.float64)
@@ -166,12 +164,12 @@ def _difference(whole: Reals, part: Reals, moduli: Reals) -> Reals:
 def flow_without_stick(machine: Machine, statuses: tuple[int, ...], left_out: Places | None = None) -> Reals:
     """Return the flow of a mode without what sticks, and without some frictions, (N, N)."""
     flow = machine.base.copy()
-    contacts, bodies = len(machine.stiffness), machine.contact_push.shape[1]
+    contacts, velocities = len(machine.stiffness), machine.velocities
     for contact, status in enumerate(statuses[:contacts]):
         z = machine.relaxing_state[contact]
         if status in PUSHING:
             force = force_of(machine, contact, status)
-            flow[bodies : 2 * bodies] += machine.contact_push[contact][:, None] * force
+            flow[velocities] += machine.contact_push[contact][:, None] * force
             if z != NO_STATE:
                 flow[z] = machine.contact_rate[contact]
         elif status == RELAXING:
@@ -179,7 +177,7 @@ def flow_without_stick(machine: Machine, statuses: tuple[int, ...], left_out: Pl
     for friction, status in enumerate(machine.of_frictions(statuses)):
         if status != STICK and (left_out is None or friction not in left_out):
             resisted = machine.kinetic[friction] * (1.0 if status == FORWARD else -1.0)
-            flow[bodies : 2 * bodies, -1] -= resisted * machine.friction_push[friction]
+            flow[velocities, -1] -= resisted * machine.friction_push[friction]
     add_curves(machine, statuses, flow)
     add_controls(machine, statuses, flow)
     return flow
@@ -241,7 +239,7 @@ SCREEN = 1e-7
 
 def functions_of_walls(machine: Machine, statuses: tuple[int, ...], period: float) -> Iterator[EventFunction]:
     """Yield how far the ends of each wall are from its gap, unless they rest there."""
-    first = first_wall(machine)
+    first = machine.first_wall
     for wall, status in enumerate(machine.of_walls(statuses)):
         if status != RESTS:
             rebound = max(machine.restitution[wall], np.finfo(float).tiny)
@@ -253,14 +251,14 @@ def functions_of_walls(machine: Machine, statuses: tuple[int, ...], period: floa
 
 def at_walls(machine: Machine, resting: Places) -> Reals:
     """Return the state with walls at rest exactly at their gaps, (N, N)."""
-    bodies = machine.contact_push.shape[1]
-    return _without(machine.wall_distance[resting], machine.wall_push[resting], slice(bodies))
+    return _without(
+        machine.wall_distance[resting], machine.wall_push[resting], slice(machine.velocities.start)
+    )
 
 
 def stopped_at_walls(machine: Machine, walls: Places) -> Reals:
     """Return the state with the rates of walls set to zero by impulses of all of them together, (N, N)."""
-    bodies = machine.contact_push.shape[1]
-    return _without(machine.wall_rate[walls], machine.wall_push[walls], slice(bodies, 2 * bodies))
+    return _without(machine.wall_rate[walls], machine.wall_push[walls], machine.velocities)
 
 
 def _without(rows: Reals, push: Reals, moved: slice) -> Reals:
@@ -276,10 +274,9 @@ def _limits(
     machine: Machine, sticking: Places, tree: Places
 ) -> Iterator[tuple[int, tuple[int, ...], Reals, float]]:
     """Yield the ways in which stick ends; rings share their forces in any admissible way."""
-    bodies, rubbing = machine.contact_push.shape[1], sticking < len(machine.kinetic)
-    vectors = np.eye(len(sticking))
+    vectors, rubbing = np.eye(len(sticking)), sticking < len(machine.kinetic)
     if len(tree) < len(sticking):
-        vectors = elementary_vectors(machine.hold_rate[sticking, bodies : 2 * bodies])
+        vectors = elementary_vectors(machine.hold_rate[sticking, machine.velocities])
     holds, held, limits = machine.holds, len(machine.held), machine.held[sticking[rubbing]]
     for vector in vectors:
         limit = float(abs(vector[rubbing]) @ limits)

@@ -17,11 +17,6 @@ if TYPE_CHECKING:
 SIDES = {AT_UPPER: 1.0, AT_LOWER: -1.0}
 
 
-def first_control(machine: Machine) -> int:
-    """Return the place of the status of the first controller: behind those of curves."""
-    return len(machine.stiffness) + len(machine.kinetic) + len(machine.curve_over)
-
-
 def limited(machine: Machine, control: int, status: int) -> Reals:
     """Return sat(w) of a controller as a functional, N, (N,)."""
     if status == WITHIN:
@@ -33,7 +28,7 @@ def limited(machine: Machine, control: int, status: int) -> Reals:
 
 def add_controls(machine: Machine, statuses: tuple[int, ...], flow: Reals) -> None:
     """Add what controllers do to a flow, (N, N)."""
-    first = first_control(machine)
+    first = machine.first_control
     for control, status in enumerate(statuses[first : first + len(machine.control_limit)]):
         row = limited(machine, control, status)
         flow += np.outer(machine.control_effect[control], row)
@@ -47,7 +42,7 @@ def functions_of_controls(machine: Machine, statuses: tuple[int, ...]) -> Iterat
     They come before all others of a mode: where a reference jumps, what acts is known before stick is
     decided.
     """
-    first = first_control(machine)
+    first = machine.first_control
     for control, limit in enumerate(machine.control_limit):
         status, demand = statuses[first + control], machine.control_demand[control]
         if not np.isfinite(limit):

@@ -18,11 +18,6 @@ if TYPE_CHECKING:
     from trimmer.contact.machine.machine import Machine
 
 
-def first_curve(machine: Machine) -> int:
-    """Return the place of the status of the first curve: behind those of contacts and frictions."""
-    return len(machine.stiffness) + len(machine.kinetic)
-
-
 def curve_force(machine: Machine, curve: int, segment: int) -> Reals:
     """Return the force of a curve on a segment, positive where it pulls the ends together, (N,)."""
     force: Reals = machine.curve_slopes[curve, segment] * machine.curve_over[curve]
@@ -32,24 +27,22 @@ def curve_force(machine: Machine, curve: int, segment: int) -> Reals:
 
 def add_curves(machine: Machine, statuses: tuple[int, ...], flow: Reals) -> None:
     """Add the forces of all curves to a flow, (N, N)."""
-    bodies = machine.curve_push.shape[1]
-    for curve, segment in enumerate(statuses[first_curve(machine) :][: len(machine.curve_over)]):
-        flow[bodies : 2 * bodies] += np.outer(machine.curve_push[curve], curve_force(machine, curve, segment))
+    for curve, segment in enumerate(statuses[machine.first_curve :][: len(machine.curve_over)]):
+        flow[machine.velocities] += np.outer(machine.curve_push[curve], curve_force(machine, curve, segment))
 
 
 def add_least_curves(machine: Machine, flow: Reals) -> None:
     """Add each curve to a flow, (N, N), as it is far away, where it is the less stiff."""
-    bodies = machine.curve_push.shape[1]
     for over, push, knots, slopes in zip(
         machine.curve_over, machine.curve_push, machine.curve_knots, machine.curve_slopes, strict=True
     ):
         least = min(slopes[0], slopes[int(np.isfinite(knots).sum())])
-        flow[bodies : 2 * bodies] += np.outer(push, least * over)
+        flow[machine.velocities] += np.outer(push, least * over)
 
 
 def functions_of_curves(machine: Machine, statuses: tuple[int, ...]) -> Iterator[EventFunction]:
     """Yield how far each curve is from the knots at the ends of its segment."""
-    first = first_curve(machine)
+    first = machine.first_curve
     for curve, over in enumerate(machine.curve_over):
         segment, knots = statuses[first + curve], machine.curve_knots[curve]
         if segment < len(knots) and np.isfinite(knots[segment]):

@@ -109,12 +109,10 @@ def _accelerations(
     machine: Machine, statuses: tuple[int, ...], state: Reals, at_rest: Places, limits: Reals
 ) -> Reals:
     """Return the relative accelerations of holds at rest, zero where they hold within their limits."""
-    bodies = machine.contact_push.shape[1]
     flow = flow_without_stick(machine, statuses, at_rest)
     rates, push = machine.hold_rate[at_rest], machine.hold_push[at_rest]
     lowest = np.where(at_rest < len(machine.kinetic), -limits, 0.0)  # Walls only push.
     noise = NOISE * (abs(rates) @ (abs(flow) @ abs(state)))
-    _, accelerations = complementary_forces(
-        rates[:, bodies : 2 * bodies] @ push.T, rates @ (flow @ state), lowest, limits, noise
-    )
+    influence = rates[:, machine.velocities] @ push.T
+    _, accelerations = complementary_forces(influence, rates @ (flow @ state), lowest, limits, noise)
     return accelerations

@@ -8,7 +8,7 @@ from trimmer.arrays import Integers, Reals
 from trimmer.contact.machine.machine import Machine
 from trimmer.contact.machine.statuses import ACTIONS, IMPACT, IMPULSES, KIND_COUNT
 from trimmer.contact.modes.assembly import Assembler, flow_without_stick
-from trimmer.contact.modes.impulses import first_wall, impulse_of
+from trimmer.contact.modes.impulses import impulse_of
 from trimmer.contact.modes.joint import after_event
 from trimmer.contact.modes.transitions import transition
 from trimmer.contact.modes.walls import strike
@@ -36,7 +36,7 @@ class MechanismSystem:
     @property
     def part_count(self) -> int:
         """Number of contacts, frictions, curves and walls."""
-        return first_wall(self.machine) + len(self.machine.restitution)
+        return self.machine.first_wall + len(self.machine.restitution)
 
     @property
     def kind_count(self) -> int:
@@ -81,7 +81,7 @@ class MechanismSystem:
         """Return what an impact on a wall makes of the state, (N, N); at a contact it goes on."""
         if function.action != STRUCK:
             return None
-        wall = function.owner - first_wall(self.machine)
+        wall = function.owner - self.machine.first_wall
         return impulse_of(self.machine, wall, self.machine.restitution[wall])
 
     def impulse(self, part: int, kind: int) -> tuple[Reals, Reals] | None:
@@ -91,7 +91,7 @@ class MechanismSystem:
         """
         if kind not in IMPULSES:
             return None
-        wall = part - first_wall(self.machine)
+        wall = part - self.machine.first_wall
         restitution = self.machine.restitution[wall] if kind == IMPACT else 0.0
         return impulse_of(self.machine, wall, restitution), -self.machine.wall_distance[wall]
 
@@ -101,7 +101,7 @@ class MechanismSystem:
         See ``trimmer.contact.modes.joint.after_event`` and ``trimmer.contact.modes.walls.strike``.
         """
         if event.function.action == STRUCK:
-            wall = event.function.owner - first_wall(self.machine)
+            wall = event.function.owner - self.machine.first_wall
             # What was held until then has drifted by the rounding of a long way.
             fitted = mode.hold @ state
             return strike(self.machine, mode.statuses, fitted, wall, self.layout.period or 1.0, event.held)

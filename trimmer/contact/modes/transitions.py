@@ -35,7 +35,7 @@ from trimmer.contact.machine.statuses import (
 )
 from trimmer.contact.modes.control_limits import beyond_limit
 from trimmer.contact.modes.curves import beyond_knot
-from trimmer.contact.modes.impulses import first_wall, impulse_of
+from trimmer.contact.modes.impulses import impulse_of
 from trimmer.hybrid.system import (
     ARRIVED,
     AT_LIMIT,
@@ -80,7 +80,7 @@ def transition(
         return None if others else Transition(_with(statuses, function.owner, STICK), HOLD_BEGUN)
     if function.owner == JOINTLY:
         return None
-    if function.owner >= first_wall(machine):
+    if function.owner >= machine.first_wall:
         if others and jumped:
             return None
         return Transition(_with(statuses, function.owner, LOOSE), HOLD_ENDED, ((STRUCK, 2 if jumped else 3),))
@@ -101,8 +101,8 @@ def has_a_say(machine: Machine, statuses: tuple[int, ...], part: int) -> bool:
     held = [other for other in held_parts(machine, statuses) if other != part]
     if not held:
         return False
-    bodies, holds = machine.contact_push.shape[1], machine.holds
-    rate = machine.hold_rate[np.searchsorted(holds, part), bodies : 2 * bodies]
+    holds = machine.holds
+    rate = machine.hold_rate[np.searchsorted(holds, part), machine.velocities]
     return bool((machine.hold_push[np.searchsorted(holds, held)] @ rate != 0.0).any())
 
 
@@ -110,7 +110,7 @@ def held_parts(machine: Machine, statuses: tuple[int, ...]) -> list[int]:
     """Return the parts that hold two ends together: frictions that stick, walls at rest."""
     contacts = len(machine.stiffness)
     sticking = [contacts + k for k, each in enumerate(machine.of_frictions(statuses)) if each == STICK]
-    first = first_wall(machine)
+    first = machine.first_wall
     return sticking + [first + k for k, each in enumerate(machine.of_walls(statuses)) if each == RESTS]
 
 
@@ -118,9 +118,8 @@ def _of_impact(
     machine: Machine, statuses: tuple[int, ...], function: EventFunction, jumped: bool
 ) -> Transition | None:
     """Return an impact that concerns neither friction nor another wall; None for any other."""
-    wall = function.owner - first_wall(machine)
-    bodies = machine.contact_push.shape[1]
-    concerned = machine.hold_rate[:, bodies : 2 * bodies] @ machine.wall_push[wall] != 0.0
+    wall = function.owner - machine.first_wall
+    concerned = machine.hold_rate[:, machine.velocities] @ machine.wall_push[wall] != 0.0
     concerned[len(machine.kinetic) :] &= np.array(machine.of_walls(statuses), dtype=int) == RESTS
     if jumped or concerned.any():
         return None

@@ -23,9 +23,9 @@ from trimmer.contact.machine.statuses import (
     TOGETHER,
 )
 from trimmer.contact.modes.assembly import Assembler, stopped_at_walls
-from trimmer.contact.modes.control_limits import first_control, limits_at
-from trimmer.contact.modes.curves import first_curve, segments_at
-from trimmer.contact.modes.impulses import NEARLY, at_gap, first_wall, impulse_of
+from trimmer.contact.modes.control_limits import limits_at
+from trimmer.contact.modes.curves import segments_at
+from trimmer.contact.modes.impulses import NEARLY, at_gap, impulse_of
 from trimmer.contact.modes.joint import decide
 from trimmer.hybrid.dry_friction import complementary_forces
 from trimmer.hybrid.system import ARRIVED, STRUCK, Decision, Impulse
@@ -102,7 +102,7 @@ class _Strike:
     @property
     def first(self) -> int:
         """Number of the first wall among all parts."""
-        return first_wall(self.machine)
+        return self.machine.first_wall
 
     def seen(self, state: Reals) -> Reals:
         """Return a state that is reached at the instant, once its size is known."""
@@ -141,14 +141,14 @@ class _Strike:
                     yield Impulse(self.first + wall, IMPACT, state)
             if not acted:
                 return
-        bodies = self.machine.contact_push.shape[1]
+        velocities = self.machine.velocities
         rates, push = self.machine.wall_rate[touching], self.machine.wall_push[touching]
-        influence, infinite = rates[:, bodies : 2 * bodies] @ push.T, np.full(len(touching), np.inf)
+        influence, infinite = rates[:, velocities] @ push.T, np.full(len(touching), np.inf)
         forces, _ = complementary_forces(influence, rates @ state, np.zeros(len(touching)), infinite)
         for wall, force in zip(touching, forces, strict=True):
             if force > 0.0:
                 state = state.copy()
-                state[bodies : 2 * bodies] -= self.machine.wall_push[wall] * force
+                state[velocities] -= self.machine.wall_push[wall] * force
                 self.seen(state)
                 yield Impulse(self.first + wall, TOGETHER, state)
 
@@ -165,8 +165,8 @@ class _Strike:
         sliding = np.flatnonzero(np.array(statuses[contacts : contacts + frictions], dtype=int) == STICK)
         for curve, segment in enumerate(segments_at(machine, state)):
             if machine.curve_by_speed[curve]:
-                statuses[first_curve(machine) + curve] = segment
-        first = first_control(machine)
+                statuses[machine.first_curve + curve] = segment
+        first = machine.first_control
         statuses[first : self.first] = limits_at(machine, state)
         at_rest = np.array([*sliding.tolist(), *resting], dtype=np.intp)
         if not len(at_rest):

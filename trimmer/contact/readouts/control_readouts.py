@@ -6,7 +6,7 @@ import numpy as np
 
 from trimmer.arrays import Reals
 from trimmer.contact.machine.statuses import AT_LOWER, AT_UPPER
-from trimmer.contact.modes.control_limits import first_control, limited
+from trimmer.contact.modes.control_limits import limited
 from trimmer.contact.modes.system import MechanismSystem
 from trimmer.hybrid.clock import TICKED
 from trimmer.hybrid.tables import Modes
@@ -25,7 +25,7 @@ def control_signal(modes: Modes[MechanismSystem], name: str) -> Signal:
 
     def row(mode: int) -> Reals:
         machine = modes.system.machine
-        status = modes[mode].statuses[first_control(machine) + control]
+        status = modes[mode].statuses[machine.first_control + control]
         through = machine.control_through[control] * limited(machine, control, status)
         found: Reals = machine.control_rest[control] + through
         return found

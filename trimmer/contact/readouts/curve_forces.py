@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trimmer.contact.modes.curves import curve_force, first_curve
+from trimmer.contact.modes.curves import curve_force
 from trimmer.motion.signals import Steady, along
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ def force_signal(modes: Modes[MechanismSystem], section: str, name: str) -> Sign
     if (section, name) not in system.layout.curves:
         return Steady(np.zeros(system.layout.size))
     curve = system.layout.curves.index((section, name))
-    place = first_curve(system.machine) + curve
+    place = system.machine.first_curve + curve
     return lambda mode: curve_force(system.machine, curve, modes[mode].statuses[place])
 
 

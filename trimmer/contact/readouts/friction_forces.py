@@ -113,8 +113,8 @@ def _sticking(modes: Modes[MechanismSystem], mode: int) -> Places:
 
 
 def _directions(modes: Modes[MechanismSystem], sticking: Places) -> Reals:
-    bodies = len(modes.system.layout.coordinates)
-    directions: Reals = modes.system.machine.hold_rate[sticking, bodies : 2 * bodies]
+    machine = modes.system.machine
+    directions: Reals = machine.hold_rate[sticking, machine.velocities]
     return directions
 
 
@@ -124,12 +124,11 @@ def _shares(modes: Modes[MechanismSystem], sticking: Places, split: Reals) -> tu
 
 def _some_split(modes: Modes[MechanismSystem], mode: int, sticking: Places) -> Reals:
     """Return the forces in stick as functionals, (sticking, N), where those that close a ring are zero."""
-    machine, bodies = modes.system.machine, len(modes.system.layout.coordinates)
+    machine = modes.system.machine
     flow = flow_without_stick(machine, modes[mode].statuses)
     tree = sticking[independent(_directions(modes, sticking))]
     rates, push = machine.hold_rate[tree], machine.hold_push[tree]
     split = np.zeros((len(sticking), len(flow)))
-    split[np.searchsorted(sticking, tree)] = np.linalg.solve(
-        rates[:, bodies : 2 * bodies] @ push.T, rates @ flow
-    )
+    influence = rates[:, machine.velocities] @ push.T
+    split[np.searchsorted(sticking, tree)] = np.linalg.solve(influence, rates @ flow)
     return split

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.machine.statuses import IMPACT, IMPULSES, RESTS
-from trimmer.contact.modes.impulses import first_wall
 from trimmer.motion.extremes import extremes
 from trimmer.motion.signals import Steady, while_status
 
@@ -23,10 +22,10 @@ GRAZING = 1e-6
 def impact_at(course: Course, row: int) -> tuple[float, float]:
     """Return how fast the ends of a wall meet at a row of the log that is an impulse, m/s, and this, N s."""
     machine = course.modes.system.machine
-    wall = int(course.log.part[row]) - first_wall(machine)
-    rate, bodies = machine.wall_rate[wall], machine.contact_push.shape[1]
+    wall = int(course.log.part[row]) - machine.first_wall
+    rate = machine.wall_rate[wall]
     before, after = (float(rate @ state) for state in (state_before(course, row), course.log.state[row]))
-    return before, (before - after) / float(rate[bodies : 2 * bodies] @ machine.wall_push[wall])
+    return before, (before - after) / float(rate[machine.velocities] @ machine.wall_push[wall])
 
 
 def state_before(course: Course, row: int) -> Reals:
@@ -40,7 +39,7 @@ def losses_at_walls(course: Course) -> dict[str, float]:
     system, log = course.modes.system, course.log
     lost = dict.fromkeys(system.layout.walls, 0.0)
     for row in rows_of_impulses(course):
-        wall = int(log.part[row]) - first_wall(system.machine)
+        wall = int(log.part[row]) - system.machine.first_wall
         rate, impulse = impact_at(course, row)
         after = float(system.machine.wall_rate[wall] @ log.state[row])
         lost[system.layout.walls[wall]] += 0.5 * impulse * (rate + after)
@@ -64,7 +63,7 @@ def work_at_walls(course: Course, mechanism: Mechanism, pin: str, rate: Reals) -
     """
     system, work = course.modes.system, 0.0
     for row in rows_of_impulses(course):
-        name = system.layout.walls[int(course.log.part[row]) - first_wall(system.machine)]
+        name = system.layout.walls[int(course.log.part[row]) - system.machine.first_wall]
         start, end = mechanism.walls[name].between
         if pin in (start, end):
             _, impulse = impact_at(course, row)
@@ -77,7 +76,7 @@ def grazed_walls(course: Course) -> tuple[str, ...]:
     system, log = course.modes.system, course.log
     found = []
     for wall, name in enumerate(system.layout.walls):
-        part = first_wall(system.machine) + wall
+        part = system.machine.first_wall + wall
         distance, rate = (
             Steady(each[wall]) for each in (system.machine.wall_distance, system.machine.wall_rate)
         )

@@ -19,7 +19,6 @@ from trimmer.contact.machine.statuses import (
 )
 from trimmer.contact.modes.assembly import PUSHING
 from trimmer.contact.modes.curves import mirror_of
-from trimmer.contact.modes.impulses import first_wall
 from trimmer.contact.modes.system import MechanismSystem
 from trimmer.contact.readouts.control_readouts import parts_of_controls
 from trimmer.contact.readouts.curve_forces import curve_forces
@@ -73,7 +72,7 @@ def contact_measures(course: Course, part: int, periods: int) -> ContactMeasures
 
 def wall_measures(course: Course, number: int, periods: int) -> ContactMeasures:
     """Return what a wall, by its number, does over a motion; forces are those at rest."""
-    part, log = first_wall(course.modes.system.machine) + number, course.log
+    part, log = course.modes.system.machine.first_wall + number, course.log
     hit = np.flatnonzero((log.part == part) & (log.kind == IMPACT)).tolist()
     resting = while_status(course, part, (RESTS,))
     largest = 0.0
