@@ -16,7 +16,7 @@ import numpy as np
 
 from trimmer.arrays import Places, Reals
 from trimmer.hybrid.system import System
-from trimmer.hybrid.tables import NO_RESET, UNKNOWN, Modes, Tables
+from trimmer.hybrid.tables import FIXED, NO_RESET, UNKNOWN, Modes, Tables
 
 UNUSED = 2  # References to an array that one list alone holds, while they are counted
 STRAIGHT = 2.0**-46  # Share of the largest number of a kind by which a table may miss a straight line
@@ -204,7 +204,6 @@ def _are_straight(*three: Tables) -> bool:
 
 def _first(tables: Tables, count: int) -> Tables:
     """Return the tables of the first modes."""
-    fixed = ("rows", "decaying_state", "scale", "bernstein_from_taylor", "resets")
     return tables._replace(
-        **{name: each[:count] for name, each in tables._asdict().items() if name not in fixed}
+        **{name: each[:count] for name, each in tables._asdict().items() if name not in FIXED}
     )

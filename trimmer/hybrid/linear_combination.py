@@ -46,6 +46,20 @@ def combine(weights: Reals, rows: Reals, count: int, result: Reals) -> None:
 
 
 @compiled
+def multiply(left: Reals, right: Reals, factor: float, result: Reals) -> None:
+    """Write factor · left (n, n) · right (n, n)."""
+    size = len(left)
+    for i in range(size):
+        for j in range(size):
+            result[i, j] = 0.0
+        for k in range(size):
+            weight = factor * left[i, k]
+            if weight != 0.0:
+                for j in range(size):
+                    result[i, j] += weight * right[k, j]
+
+
+@compiled
 def evaluate_terms(terms: Reals, count: int, fraction: float, result: Reals) -> None:
     """Evaluate the state (n,) at a fraction of a step from its first ``count`` Taylor terms, side by side."""
     size, left = unsigned(result.size), count - 1

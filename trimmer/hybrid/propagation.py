@@ -15,10 +15,10 @@ import numpy as np
 from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.clock import TICKED, Clock, carry, instant_of
 from trimmer.hybrid.compilation import compiled, inlined, kept, merged, sources
-from trimmer.hybrid.linear_combination import combine, combined_moduli, copy, evaluate_terms
+from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms, multiply
 from trimmer.hybrid.system import STRUCK
 from trimmer.hybrid.tables import NO_RESET, Tables
-from trimmer.hybrid.tabulated_change import AT_REST
+from trimmer.hybrid.tabulated_change import is_at_zero
 from trimmer.hybrid.taylor import DEGREE, LEVELS
 from trimmer.hybrid.work import Log
 
@@ -140,17 +140,6 @@ def _copy(source: Reals, result: Reals) -> None:
 
 
 @compiled
-def _square(matrix: Reals, result: Reals) -> None:
-    for i in range(len(matrix)):
-        for j in range(len(matrix)):
-            result[i, j] = 0.0
-        for k in range(len(matrix)):
-            weight = matrix[i, k]
-            for j in range(len(matrix) if weight != 0.0 else 0):
-                result[i, j] += weight * matrix[k, j]
-
-
-@compiled
 def _by_powers(screen: Reals, steps: int, distances: Reals, room: Room) -> int:
     """Multiply distances by the flow of whole steps, in powers of two; return how many steps are left."""
     if len(distances) < LARGE or steps < MANY_STEPS:
@@ -163,7 +152,7 @@ def _by_powers(screen: Reals, steps: int, distances: Reals, room: Room) -> int:
         steps //= 2
         if steps == 0:
             break
-        _square(room.power, room.other)
+        multiply(room.power, room.power, 1.0, room.other)
         _copy(room.other, room.power)
     return 0
 
@@ -195,13 +184,8 @@ def _falls_with(tables: Tables, mode: int, fired: int, state: Reals, rates: Real
     """Return whether an event function of another part falls to zero at the same instant."""
     for function in range(tables.function_count[mode]):
         if tables.owner[mode, function] != tables.owner[mode, fired]:
-            value, slope = 0.0, 0.0
-            for i in range(state.size):
-                value += tables.taylor[mode, function, i, 0] * state[i]
-                slope += tables.taylor[mode, function, i, 0] * rates[i]
-            sizes = tables.sizes[mode, function]
-            size = combined_moduli(state, sizes[0]) + combined_moduli(state, sizes[1])
-            if abs(value) <= AT_REST * size and slope < 0.0:
+            falls = falling(tables.taylor[mode, function], rates) < 0.0
+            if falls and is_at_zero(tables, None, mode, function, state, rates):
                 return True
     return False
 

@@ -12,8 +12,9 @@ import math
 from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.compilation import inlined, merged
 from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms, within
+from trimmer.hybrid.series import COUNT
 from trimmer.hybrid.sparse import Rows, value_of
-from trimmer.hybrid.step_event import COUNT, NO_EVENT, first_event
+from trimmer.hybrid.step_event import NO_EVENT, first_event
 from trimmer.hybrid.tables import Tables
 from trimmer.hybrid.taylor import LEVELS
 from trimmer.hybrid.work import Work

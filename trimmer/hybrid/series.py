@@ -14,7 +14,7 @@ import numpy as np
 
 from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.compilation import compiled, kept, sources
-from trimmer.hybrid.linear_combination import unsigned
+from trimmer.hybrid.linear_combination import multiply, unsigned
 from trimmer.hybrid.taylor import DEGREE, LEVELS, LONGEST_STEP, REMAINDER
 
 STEP = (REMAINDER * math.factorial(DEGREE + 1)) ** (1 / (DEGREE + 1))
@@ -43,20 +43,6 @@ class ModeTables(NamedTuple):
     taylor: Reals
     sizes: Reals
     bernstein_from_taylor: Reals
-
-
-@compiled
-def _multiply(left: Reals, right: Reals, factor: float, result: Reals) -> None:
-    """Write factor · left (n, n) · right (n, n)."""
-    size = len(left)
-    for i in range(size):
-        for j in range(size):
-            result[i, j] = 0.0
-        for k in range(size):
-            weight = factor * left[i, k]
-            if weight != 0.0:
-                for j in range(size):
-                    result[i, j] += weight * right[k, j]
 
 
 @compiled
@@ -105,7 +91,7 @@ def _growth(matrix: Reals, room: Reals) -> float:
     size, growth = _norm(balanced, 0, count), 0.0
     if size > 0.0:
         for _ in range(COUNT):
-            _multiply(balanced, total, 1.0 / size, other)
+            multiply(balanced, total, 1.0 / size, other)
             for i in range(count):
                 for j in range(count):
                     total[i, j] = other[i, j]
@@ -182,7 +168,7 @@ def _entry(sources: bytes) -> Callable[..., float]:
         for i in range(size):
             terms[0, i, i] = 1.0
         for k in range(1, COUNT):
-            _multiply(flow, terms[k - 1], step / k, terms[k])
+            multiply(flow, terms[k - 1], step / k, terms[k])
         _write_flow(terms, target)
         for function in range(len(rows)):
             _expand(rows[function], terms, target.taylor[function], target.sizes[function])

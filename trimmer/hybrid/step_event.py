@@ -14,15 +14,14 @@ from trimmer.hybrid.linear_combination import (
     unsigned,
     within,
 )
+from trimmer.hybrid.series import COUNT
 from trimmer.hybrid.sparse import Rows, coefficient, expand, modulus_of, write_terms
 from trimmer.hybrid.tables import Tables
-from trimmer.hybrid.taylor import DEGREE, MOST_ZEROS
+from trimmer.hybrid.taylor import MOST_ZEROS
 from trimmer.hybrid.work import Work
 
 NO_EVENT = -1
 """In place of the number of an event function."""
-COUNT = DEGREE + 1
-"""Coefficients of a polynomial."""
 
 
 @inlined

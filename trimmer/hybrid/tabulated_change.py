@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from trimmer.arrays import Integers
+from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.compilation import compiled, inlined
 from trimmer.hybrid.linear_combination import combine, copy
 from trimmer.hybrid.sparse import Rows, hold, modulus_of, value_of
@@ -14,6 +14,17 @@ DECAYED = 2.0**-56
 """Share of its scale and of its first value below which a state that decays by itself counts as zero."""
 AT_REST = 2.0**-44
 """Share of the moduli of its terms, and of its change over a step, below which a function is zero."""
+
+
+@compiled
+def is_at_zero(
+    tables: Tables, rows: Rows | None, mode: int, function: int, state: Reals, room: Reals
+) -> bool:
+    """Return whether an event function is zero, as far as rounding tells, beside its change over a step."""
+    value, size, step = value_of(tables.taylor[mode], rows, mode, function, state), 0.0, tables.step[mode]
+    for k in range(2):
+        size += modulus_of(tables.sizes[mode], rows, mode, step, function, k, state, room)
+    return bool(abs(value) <= AT_REST * size)
 
 
 @compiled
@@ -32,12 +43,7 @@ def _is_struck_alone(
         alone &= rate * step > tables.shortest[mode, fired] * second
         for function in range(tables.function_count[mode]):
             if function != fired and tables.action[mode, function] == STRUCK:
-                value, size = 0.0, 0.0
-                for i in range(work.state.size):
-                    value += tables.taylor[mode, function, i, 0] * work.state[i]
-                    size += tables.sizes[mode, function, 0, i] * abs(work.state[i])
-                    size += tables.sizes[mode, function, 1, i] * abs(work.state[i])
-                alone &= abs(value) > AT_REST * size
+                alone &= not is_at_zero(tables, rows, mode, function, work.state, work.moduli)
     return bool(alone)
 
 
@@ -55,12 +61,7 @@ def is_tabulated(tables: Tables, rows: Rows | None, work: Work, mode: int, fired
         for function in range(tables.function_count[mode]):
             if function != fired and tables.action[mode, function] == ARRIVED:
                 # Another part that comes to rest at the same instant has a say as well.
-                value = value_of(tables.taylor[mode], rows, mode, function, work.state)
-                size, step, sizes = 0.0, tables.step[mode], tables.sizes[mode]
-                for k in range(2):
-                    size += modulus_of(sizes, rows, mode, step, function, k, work.state, work.moduli)
-                if abs(value) <= AT_REST * size:
-                    found = False
+                found &= not is_at_zero(tables, rows, mode, function, work.state, work.moduli)
     return bool(found)
 
 
