@@ -1,6 +1,7 @@
 """The explorable of the thesis's trimmer: its sliders, its panels, its formulas, and a picture for print."""
 
 import math
+from functools import partial
 from typing import Final
 
 import numpy as np
@@ -22,6 +23,7 @@ from trimmer import LimitCycle, ViscousBacklash, limit_cycles, response_at
 
 GAP: Final = 2e-4  # Gap of the first view and of the picture, m: that of the driven simulations of the thesis
 TIME_CONSTANT: Final = 1e-3  # M/D of the first view and of the picture, s
+ELEMENT: Final = ViscousBacklash(GAP, TIME_CONSTANT)
 WHOLE: Final = (-9.0, 9.0, -17.0, 2.0)
 NEAR: Final = (-1.6, 0.2, -0.6, 0.3)
 THINNED: Final = 4  # Of so many points of a curve one is drawn: the picture is small
@@ -59,21 +61,29 @@ def _panels() -> tuple[Panel, ...]:
     )
 
 
+def picture(known: Evidence) -> Canvas:
+    """Draw the planes and the motion of the first view."""
+    cycles = _cycles(known)
+    stable = _stable(cycles)
+    figure, (whole, near, motion) = panels(2.5, columns=3)
+    for axes, limits in ((whole, WHOLE), (near, NEAR)):
+        _plane(axes, known, stable, cycles)
+        axes.set(xlim=limits[:2], ylim=limits[2:], xlabel="real part")
+    whole.set_ylabel("imaginary part")
+    _motion(motion, stable)
+    return figure
+
+
+def _cycles(known: Evidence) -> tuple[LimitCycle, ...]:
+    return limit_cycles(known.numbers.displacement_only, ELEMENT)
+
+
+def _stable(cycles: tuple[LimitCycle, ...]) -> LimitCycle:
+    return next(cycle for cycle in cycles if cycle.stable)
+
+
 def _still(known: Evidence) -> Figure:
-    system = known.numbers.displacement_only
-    element = ViscousBacklash(GAP, TIME_CONSTANT)
-    cycles = limit_cycles(system, element)
-    stable = next(cycle for cycle in cycles if cycle.stable)
-
-    def draw() -> Canvas:
-        figure, (whole, near, motion) = panels(2.5, columns=3)
-        for axes, limits in ((whole, WHOLE), (near, NEAR)):
-            _plane(axes, known, element, stable, cycles)
-            axes.set(xlim=limits[:2], ylim=limits[2:], xlabel="real part")
-        whole.set_ylabel("imaginary part")
-        _motion(motion, element, stable)
-        return figure
-
+    frequency = _stable(_cycles(known)).frequency
     words = one_line(
         """Three panels: the locus of G with the contour of -1/N and their intersections, the same near -1,
         and the position of pin and load over one period."""
@@ -81,19 +91,21 @@ def _still(known: Evidence) -> Figure:
     caption = one_line(f"""
         What the page shows for a gap of {1e6 * GAP:.0f} µm, $M/D$ = {1e3 * TIME_CONSTANT:.0f} ms, no friction
         and the pin's displacement alone: the locus of $G$ (solid), the contour of $-1/N$ (dashed) at the
-        frequency of the stable limit cycle, {stable.frequency:.2f} Hz; the same near $-1$; pin (dotted) and
+        frequency of the stable limit cycle, {frequency:.2f} Hz; the same near $-1$; pin (dotted) and
         load (solid) over one period. In the HTML report sliders move all of it.
     """)
     return drawn(
-        "explorable-still", "Limit cycle of the thesis's loop, as the sliders begin", caption, words, draw
+        "explorable-still",
+        "Limit cycle of the thesis's loop, as the sliders begin",
+        caption,
+        words,
+        partial(picture, known),
     )
 
 
-def _plane(
-    axes: Axes, known: Evidence, element: ViscousBacklash, stable: LimitCycle, cycles: tuple[LimitCycle, ...]
-) -> None:
+def _plane(axes: Axes, known: Evidence, stable: LimitCycle, cycles: tuple[LimitCycle, ...]) -> None:
     system = known.numbers.displacement_only
-    response, contour = response_at(system, OMEGA[::THINNED]), inverse(element.at(stable.omega))[::THINNED]
+    response, contour = response_at(system, OMEGA[::THINNED]), inverse(ELEMENT.at(stable.omega))[::THINNED]
     axes.plot(response.real, response.imag, **LINES[0])
     axes.plot(contour.real, contour.imag, **LINES[1])
     critical_point(axes)
@@ -103,9 +115,9 @@ def _plane(
         axes.plot(place.real, place.imag, "o", color=BLACK, markerfacecolor=face, markersize=5)
 
 
-def _motion(axes: Axes, element: ViscousBacklash, stable: LimitCycle) -> None:
+def _motion(axes: Axes, stable: LimitCycle) -> None:
     phases = np.linspace(0, 2 * np.pi, 401)
-    load = element.waveform(phases, stable.amplitude, stable.omega) / stable.amplitude
+    load = ELEMENT.waveform(phases, stable.amplitude, stable.omega) / stable.amplitude
     axes.plot(phases, np.sin(phases), color=BLACK, linestyle=":")
     axes.plot(phases, load, **LINES[0])
     axes.set(xlabel="phase, rad", ylabel="position over $A$", xlim=PERIOD[:2])

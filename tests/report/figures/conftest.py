@@ -7,7 +7,9 @@ import pytest
 from report.building.collect import collect
 from report.data.figures import FigureRecord
 from report.data.statements import read_inventory
+from report.explorable import make
 from report.future_work.chapter import SECTIONS
+from report.judging.figure import recorded
 from report.pages.drawing.letters import letter_panels
 from report.twin.figures.bridge import bridge_in_slot
 from report.twin.figures.design import design_limits
@@ -28,7 +30,8 @@ TWIN = (
 """Figures of the chapter on the twin, which belong to no claim."""
 FUTURE = tuple(each for section in SECTIONS for each in section.items if isinstance(each, FigureRecord))
 """Figures of the answers to section 6.4."""
-FIGURES = {figure.id: figure for figure in (*collect(read_inventory()).figures, *TWIN, *FUTURE)}
+STILL = recorded("explorable-still", dict)(make.picture)
+FIGURES = {figure.id: figure for figure in (*collect(read_inventory()).figures, *TWIN, *FUTURE, STILL)}
 
 
 @pytest.fixture(scope="session")
