@@ -56,9 +56,9 @@ def test_sliding_friction_against_den_hartog() -> None:
         frictions={"rubbing": Friction(("ground", "body"), 0.2)},
     )
     amplitudes = []
-    for count in (20, 40):
+    for count, begun in ((20, 0.1), (40, -1.9j)):  # From afar whole steps lead nowhere.
         guess = np.zeros((1, count), dtype=complex)
-        guess[0, 1] = -1.9j
+        guess[0, 1] = begun
         balance = harmonic_balance_of(mechanism, guess)
         assert balance.converged
         times = np.linspace(0.0, 2.0 * np.pi, 10_001)
