@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 from flint import acb, acb_poly, arb, arb_mat, fmpq, fmpq_poly
 
-from trimmer.proof.balls import PI, about, along_axis, exact, hull, in_balls, krawczyk, real
+from trimmer.proof.balls import PI, about, along_axis, hull, in_balls, krawczyk, real
 from trimmer.proof.described import Parts, carried_play, corner, ideal_play, thrown_play
 from trimmer.proof.outcome import UndecidedError, require_time
 
@@ -95,9 +95,10 @@ class ElementGain:
     def is_parted_from(self, num: fmpq_poly, den: fmpq_poly, omega: float) -> bool:
         """Return whether -1/G and N are apart up to omega, within ``CORNER`` of the flight where N vanishes.
 
-        A play has N = l^2 (a l - j b)/pi there, with l = pi - t, a near 2/3 and b near 1; a relay
-        (2/pi)(r u - j w u^2), w its on less its off, r near 2. So Re(N)^2/|Im N|^3, or |Im N|/Re(N)^2, is
-        within bounds, and the same of -1/G, a power of omega times a bounded function, must be outside.
+        A play has N = l^2 (a l - j b)/pi there, with l = pi - t, a within 1e-3 of 2/3 and b of 1; a relay
+        (2/pi)(r u - j w u^2), w its on less its off, r within 1e-5 of 2. So Re(N)^2/|Im N|^3 is within 1 and
+        2, or |Im N|/Re(N)^2 within w/3 and w/2. The same of -1/G must be outside: it is a power of omega, an
+        odd one as Re is even and Im is odd, times a bounded function.
         """
         weight = self.parts.relays[0][0] if self.parts.relays else self.parts.plays[0][0]
         (a, b), (p, q) = along_axis(num), along_axis(den)
@@ -110,20 +111,15 @@ class ElementGain:
             in_balls((part.right_shift(power) if power else part, fmpq_poly([0])))(acb(reach)).real
             for part, power in zip(parts, powers, strict=True)
         )
-        if along < 0 or beside > 0:
-            return True
-        corner_size = real(fmpq(exact(CORNER)))
         if self.still:
             ratio, power = along**2 * size / abs(beside) ** 3, 2 * powers[0] + powers[2] - 3 * powers[1]
-            near = (real(fmpq(2, 3)) - 2 * corner_size**2 / 15).union(real(fmpq(2, 3)))
-            bounds = PI * near**2 / (1 - corner_size**2 / 6).union(arb(1)) ** 6
+            least, largest = arb(1), arb(2)
         else:
             _, on, off = self.parts.relays[0]
             ratio, power = abs(beside) * size / along**2, powers[1] + powers[2] - 2 * powers[0]
-            bounds = PI * real(on - off) / (8 * (1 - corner_size**4 / 16).union(arb(1)))
-        if power >= 0:
-            return bool(ratio * arb(omega) ** power < bounds or (power == 0 and ratio > bounds))
-        return bool(ratio * arb(omega) ** power > bounds)
+            least, largest = real(on - off) / 3, real(on - off) / 2
+        ratio *= arb(omega) ** power
+        return bool(ratio < least if power > 0 else ratio > largest)
 
     def _flight(self, t: arb, gap: fmpq) -> tuple[arb, arb]:
         """Enclose the flight behind a play of a smaller gap: sin(m/2) = sqrt(q) sin(t/2)."""

@@ -32,7 +32,8 @@ LOOPS: dict[str, tuple[control.lti.LTI, Element]] = {
     "the thesis's": (TRIMMER, FrictionBacklash(4e-5)),
     "a load with inertia": (TRIMMER, ViscousBacklash(4e-5, 1e-3)),
     "frozen": (TRIMMER, ViscousBacklash(4e-5, 1e-3).at(5000.0)),
-    "play before an integrator": (SLOW, FrictionBacklash(1.0)),
+    "play before an integrator": (control.tf([4.0], [1, 2, 1, 0]), FrictionBacklash(1.0)),
+    "play on an axis": (control.tf([1.0], [1, 0]), FrictionBacklash(1.0)),
     "a play that hardly moves its load": (control.tf([100.0], [1, 1, 0]), FrictionBacklash(1.0)),
     "hysteresis before an integrator": (SLOW, Relay(1.0, 0.1)),
     "a thrown load": (THIRD, 1.5 * InertiaBacklash(0.1)),
@@ -59,7 +60,7 @@ def balanced(system: control.lti.LTI, element: Element) -> tuple[ClosedLoop, tup
     return loop, harmonic_balance(loop).limit_cycles
 
 
-@pytest.mark.parametrize("name", quick(LOOPS, 5, 9, 10, 11, 13, 14, 15))
+@pytest.mark.parametrize("name", quick(LOOPS, 3, 4, 6, 7, *range(9, 17)))
 def test_the_list_is_proven_and_every_other_is_not(name: str) -> None:
     loop, cycles = balanced(*LOOPS[name])
     proof = prove_limit_cycles(loop, cycles)
