@@ -82,13 +82,13 @@ class Course:
         Nothing is integrated again, so that each event is there once, also where it comes to that
         instant.
         """
-        count, log = int(np.searchsorted(self.log.start, time, side="right")), self.log
+        count, rows = int(np.searchsorted(self.log.start, time, side="right")), len(self.log.start)
         (extended,) = self.states(np.array([time]))
-        mode = int(log.mode[count - 1])
-        cut = Log._make(each[count - 1 : count].copy() for each in log)
-        cut.start[:], cut.state[:], cut.part[:], cut.kind[:], cut.function[:] = 0.0, extended, -1, NOTHING, -1
-        later = log._replace(start=log.start - time), log._replace(start=log.start + self.duration - time)
-        turned = cut, Log._make(each[count:] for each in later[0]), later[1].first(count)
+        mode, order = int(self.log.mode[count - 1]), np.arange(count - 1, rows + count) % rows
+        log = Log._make(each[order] for each in self.log)
+        log.start[rows - count + 1 :] += self.duration
+        log.start[:] -= time
+        log.start[0], log.state[0], log.part[0], log.kind[0], log.function[0] = 0.0, extended, -1, NOTHING, -1
         begin = replace(
             self.begin,
             state=extended[: self.modes.system.layout.state_count],
@@ -98,8 +98,7 @@ class Course:
             zeros=np.zeros_like(self.begin.zeros),
         )
         end = replace(begin, periods=begin.periods + self.end.periods - self.begin.periods)
-        joined = Log._make(np.concatenate(arrays) for arrays in zip(*turned, strict=True))
-        return replace(self, begin=begin, end=end, log=joined)
+        return replace(self, begin=begin, end=end, log=log)
 
     def _later(self, time: float, phase: float) -> int:
         """Return the periods before an instant, s, from the start; 0 where each is as the others."""

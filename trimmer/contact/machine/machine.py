@@ -66,6 +66,16 @@ class Machine(NamedTuple):
         first = len(self.stiffness)
         return statuses[first : first + len(self.kinetic)]
 
+    def of_curves(self, statuses: tuple[int, ...]) -> tuple[int, ...]:
+        """Return the segments of the curves out of the statuses of all parts."""
+        count = len(self.curve_over)
+        return statuses[self.first_curve :][:count] if count else ()
+
+    def of_controls(self, statuses: tuple[int, ...]) -> tuple[int, ...]:
+        """Return the statuses of the controllers out of those of all parts."""
+        count = len(self.control_limit)
+        return statuses[self.first_control :][:count] if count else ()
+
     def of_walls(self, statuses: tuple[int, ...]) -> tuple[int, ...]:
         """Return the statuses of the walls out of those of all parts: they come last."""
         return statuses[len(statuses) - len(self.restitution) :]

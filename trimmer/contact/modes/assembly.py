@@ -239,14 +239,13 @@ SCREEN = 1e-7
 
 def functions_of_walls(machine: Machine, statuses: tuple[int, ...], period: float) -> Iterator[EventFunction]:
     """Yield how far the ends of each wall are from its gap, unless they rest there."""
-    first = machine.first_wall
     for wall, status in enumerate(machine.of_walls(statuses)):
         if status != RESTS:
             rebound = max(machine.restitution[wall], np.finfo(float).tiny)
             # What is left of a chatter lasts 2 e v / (a (1 - e)) where it comes with the rate v.
             shortest = SCREEN * period * (1.0 - machine.restitution[wall]) / (2.0 * rebound)
             row = -machine.wall_distance[wall]
-            yield EventFunction(first + wall, STRUCK, row, shortest=shortest)
+            yield EventFunction(machine.first_wall + wall, STRUCK, row, shortest=shortest)
 
 
 def at_walls(machine: Machine, resting: Places) -> Reals:

@@ -28,8 +28,7 @@ def limited(machine: Machine, control: int, status: int) -> Reals:
 
 def add_controls(machine: Machine, statuses: tuple[int, ...], flow: Reals) -> None:
     """Add what controllers do to a flow, (N, N)."""
-    first = machine.first_control
-    for control, status in enumerate(statuses[first : first + len(machine.control_limit)]):
+    for control, status in enumerate(machine.of_controls(statuses)):
         row = limited(machine, control, status)
         flow += np.outer(machine.control_effect[control], row)
         if status != WITHIN:
@@ -42,9 +41,10 @@ def functions_of_controls(machine: Machine, statuses: tuple[int, ...]) -> Iterat
     They come before all others of a mode: where a reference jumps, what acts is known before stick is
     decided.
     """
-    first = machine.first_control
-    for control, limit in enumerate(machine.control_limit):
-        status, demand = statuses[first + control], machine.control_demand[control]
+    for control, (status, limit) in enumerate(
+        zip(machine.of_controls(statuses), machine.control_limit, strict=True)
+    ):
+        demand = machine.control_demand[control]
         if not np.isfinite(limit):
             continue
         for side, action, within in ((1.0, ABOVE_LIMIT, AT_LOWER), (-1.0, BELOW_LIMIT, AT_UPPER)):
@@ -52,7 +52,7 @@ def functions_of_controls(machine: Machine, statuses: tuple[int, ...]) -> Iterat
             if status in (WITHIN, within):
                 row = -side * demand
                 row[-1] += limit if status == WITHIN else -limit
-                yield EventFunction(first + control, action, row)
+                yield EventFunction(machine.first_control + control, action, row)
 
 
 def beyond_limit(statuses: tuple[int, ...], function: EventFunction, jumped: bool) -> Transition:

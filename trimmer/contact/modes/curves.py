@@ -27,7 +27,7 @@ def curve_force(machine: Machine, curve: int, segment: int) -> Reals:
 
 def add_curves(machine: Machine, statuses: tuple[int, ...], flow: Reals) -> None:
     """Add the forces of all curves to a flow, (N, N)."""
-    for curve, segment in enumerate(statuses[machine.first_curve :][: len(machine.curve_over)]):
+    for curve, segment in enumerate(machine.of_curves(statuses)):
         flow[machine.velocities] += np.outer(machine.curve_push[curve], curve_force(machine, curve, segment))
 
 
@@ -42,17 +42,17 @@ def add_least_curves(machine: Machine, flow: Reals) -> None:
 
 def functions_of_curves(machine: Machine, statuses: tuple[int, ...]) -> Iterator[EventFunction]:
     """Yield how far each curve is from the knots at the ends of its segment."""
-    first = machine.first_curve
     for curve, over in enumerate(machine.curve_over):
-        segment, knots = statuses[first + curve], machine.curve_knots[curve]
+        part = machine.first_curve + curve
+        segment, knots = statuses[part], machine.curve_knots[curve]
         if segment < len(knots) and np.isfinite(knots[segment]):
             row = -over
             row[-1] += knots[segment]
-            yield EventFunction(first + curve, ABOVE_KNOT, row)
+            yield EventFunction(part, ABOVE_KNOT, row)
         if segment > 0:
             row = over.copy()
             row[-1] -= knots[segment - 1]
-            yield EventFunction(first + curve, BELOW_KNOT, row)
+            yield EventFunction(part, BELOW_KNOT, row)
 
 
 def beyond_knot(statuses: tuple[int, ...], function: EventFunction) -> Transition:

@@ -110,8 +110,8 @@ def held_parts(machine: Machine, statuses: tuple[int, ...]) -> list[int]:
     """Return the parts that hold two ends together: frictions that stick, walls at rest."""
     contacts = len(machine.stiffness)
     sticking = [contacts + k for k, each in enumerate(machine.of_frictions(statuses)) if each == STICK]
-    first = machine.first_wall
-    return sticking + [first + k for k, each in enumerate(machine.of_walls(statuses)) if each == RESTS]
+    walls = enumerate(machine.of_walls(statuses))
+    return sticking + [machine.first_wall + k for k, each in walls if each == RESTS]
 
 
 def _of_impact(
