@@ -42,9 +42,9 @@ class CodePrinter:
             )
         return _CONTINUED.sub(" ", sympy.octave_code(expression.xreplace(self._variables)))
 
-    def assignment(self, target: str, expression: sympy.Expr) -> str:
+    def assignment(self, target: str, expression: sympy.Expr, indent: int = INDENT) -> str:
         """Return ``target = expression;``, broken before a plus or minus where it is too long."""
-        return broken(f"{target} = {self.expression(expression)};")
+        return broken(f"{target} = {self.expression(expression)};", indent)
 
     def matrix(self, target: str, matrix: sympy.MatrixBase) -> str:
         """Return ``target = [...];`` with one line for each row."""
@@ -73,9 +73,9 @@ class CodePrinter:
         return "\n".join(lines)
 
 
-def broken(code: str) -> str:
+def broken(code: str, indent: int = INDENT) -> str:
     """Break a statement before a plus or minus, as far outside of its parentheses as possible."""
-    lines, rest, margin = [], code, INDENT
+    lines, rest, margin = [], code, indent
     while margin + len(rest) > LINE_LENGTH:
         possible = [match.start() for match in _BREAKABLE.finditer(rest)]
         short_enough = [place for place in possible if margin + place + len(CONTINUATION) <= LINE_LENGTH]
@@ -83,7 +83,7 @@ def broken(code: str) -> str:
             break
         place = max(short_enough or possible[:1], key=lambda end: (-_depth(rest[:end]), end))
         lines.append(" " * margin + rest[:place] + CONTINUATION)
-        rest, margin = rest[place + 1 :], 2 * INDENT
+        rest, margin = rest[place + 1 :], indent + INDENT
     return "\n".join([*lines, " " * margin + rest])
 
 
