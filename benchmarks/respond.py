@@ -16,7 +16,7 @@ from benchmarks.calibration import sentence
 from trimmer.contact.flow import MechanismFlow
 from trimmer.contact.machine.statuses import FREE, RELAXING
 from trimmer.mechanism.mechanism import Mechanism
-from trimmer.response.forced_orbit import forced_orbit
+from trimmer.orbits.forced_orbit import forced_orbit
 from trimmer.response.respond import respond
 from trimmer.response.results.response_json import response_json
 from trimmer.response.simulation.simulate import simulate

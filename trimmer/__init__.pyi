@@ -58,12 +58,12 @@ from .mechanism.parts import Pin as Pin
 from .mechanism.parts import Play as Play
 from .mechanism.parts import Stop as Stop
 from .motion.motion import Motion as Motion
+from .orbits.forced_orbit import forced_orbit as forced_orbit
 from .orbits.multi_harmonic_balance import multi_harmonic_balance as multi_harmonic_balance
 from .orbits.periodic_orbit import PeriodicOrbit as PeriodicOrbit
 from .orbits.periodic_orbits import periodic_orbits as periodic_orbits
 from .orbits.search import OrbitSearch as OrbitSearch
 from .parameters import TrimmerParameters as TrimmerParameters
-from .response.forced_orbit import forced_orbit as forced_orbit
 from .response.respond import respond as respond
 from .response.results.response import MotionKind as MotionKind
 from .response.results.response import Response as Response

@@ -25,8 +25,8 @@ from trimmer.messages import listed
 from trimmer.motion.flow import Flow
 from trimmer.motion.subject import Subject
 from trimmer.response.by_itself.orbit_by_itself import orbit_by_itself
+from trimmer.response.exact_orbit import exact_orbit, require_repeating
 from trimmer.response.flows import flow_of, known_flow_of, require_subject
-from trimmer.response.forced_orbit import exact_orbit, require_repeating
 from trimmer.response.periodic.orbit import NEUTRAL, Orbit
 from trimmer.response.periodic.pace import pace_of, periods_of
 from trimmer.response.respond import respond

@@ -19,8 +19,8 @@ from trimmer.maps.cell_motion import CellMotion
 from trimmer.maps.coexistence import coexisting_motions
 from trimmer.maps.motion_map import motion_map
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.response.exact_orbit import diverges_by_pull, exact_orbit
 from trimmer.response.flows import flow_of
-from trimmer.response.forced_orbit import diverges_by_pull, exact_orbit
 from trimmer.response.periodic.orbit import Orbit
 from trimmer.response.respond import respond
 from trimmer.response.results.response import MotionKind

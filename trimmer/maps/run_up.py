@@ -14,8 +14,8 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.motion.flow import Flow
 from trimmer.progress import progress_bar
+from trimmer.response.exact_orbit import require_repeating
 from trimmer.response.flows import called, flow_of, require_subject
-from trimmer.response.forced_orbit import require_repeating
 from trimmer.response.starts import Start, instant_of
 
 

@@ -1,6 +1,6 @@
 """Exact periodic motions of switched loops: period, waveform, Floquet multipliers.
 
-``periodic_orbits`` and ``loop_orbit`` are the entries, ``periodic_orbit`` is the result, which ``describe``
+``periodic_orbits`` and ``forced_orbit`` are the entries, ``periodic_orbit`` is the result, which ``describe``
 fills. Newton's method is that of ``trimmer.response.periodic.shooting``; it starts from a ``guess`` on the
 first harmonic or from a ``balanced_start`` on several, for which ``multi_harmonic_balance`` uses
 ``steady_response`` and ``trigonometric``; from the zeros of a relay's ``half_period`` equation; or from where

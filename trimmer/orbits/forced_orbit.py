@@ -1,15 +1,17 @@
-"""The exact periodic motion of a driven loop."""
+"""``forced_orbit`` for what is driven, and when what it finds of a loop is no orbit."""
 
-from typing import cast
+from typing import cast, overload
 
 import numpy as np
 
 from trimmer.errors import OrbitNotFoundError
 from trimmer.loops.feedback import Feedback
 from trimmer.loops.loops import Loop, require_loop
+from trimmer.mechanism.mechanism import Mechanism
 from trimmer.orbits.periodic_orbit import PeriodicOrbit
 from trimmer.orbits.realization import restated
-from trimmer.response.forced_orbit import SETTLING, exact_orbit
+from trimmer.response.exact_orbit import SETTLING, exact_orbit
+from trimmer.response.periodic.orbit import Orbit
 from trimmer.response.periodic.shooting import SETTLED, SINGULAR, sizes_of
 from trimmer.response.starts import Start
 
@@ -20,17 +22,48 @@ TOLD_APART = 1e-10 / float(np.finfo(float).eps)
 """State over its size beyond which its rounding alone is more than the miss of a closed return."""
 
 
-def loop_orbit(
-    loop: Loop, settling: int | None = None, periods: int = 1, guess: Start = None
-) -> PeriodicOrbit:
-    """Find the motion that repeats with the drive; see ``trimmer.response.forced_orbit``.
+@overload
+def forced_orbit(
+    loop: Loop, settling: int | None = None, *, periods: int = 1, guess: Start = None
+) -> PeriodicOrbit: ...
+@overload
+def forced_orbit(
+    loop: Mechanism, settling: int | None = None, *, periods: int = 1, guess: Start = None
+) -> Orbit: ...
+def forced_orbit(
+    loop: Loop | Mechanism, settling: int | None = None, *, periods: int = 1, guess: Start = None
+) -> PeriodicOrbit | Orbit:
+    """Find a motion that repeats with the drive.
+
+    It is an exact motion, stable or not, that returns after a number of drive periods; of a mechanism without
+    a drive, one that returns after a period of its own. Newton's method begins at the guess; without one, at
+    the motion from rest after 8, 64 and 512 drive periods, or after ``settling``.
+
+    Args:
+        loop: A loop with a drive, or a mechanism.
+        settling: Periods of the drive to follow before Newton's method.
+        periods: Number of drive periods after which the motion returns.
+        guess: Where the motion begins, near the one that is sought, at the start of a drive period:
+            displacement, m, and velocity, m/s, by body, or states of a loop by name; or all states, (n,).
+
+    Returns:
+        The orbit. That of a mechanism says itself whether it was found (``success``, ``message``), and
+        whether it returns already after fewer periods (``period_count``).
 
     Raises:
-        ValueError: if the loop has no drive, or a number is out of range.
-        OrbitNotFoundError: if Newton's method finds no such motion, as at the resonance of an undamped mode,
-            or if events accumulate.
+        ValueError: if a loop has no drive, or a number is out of range.
+        OrbitNotFoundError: if Newton's method finds none for a loop; if the motion of a mechanism cannot be
+            followed, or comes to rest or repeats nowhere without a drive.
+        MechanismError, LoopError: if the guess does not fit.
+        UnsupportedMotionError: if a mechanism never repeats, because a pin goes on for ever and pulls.
     """
+    if isinstance(loop, Mechanism):
+        return exact_orbit(loop, periods, guess, settling)
     require_loop(loop)
+    return _of_loop(loop, settling, periods, guess)
+
+
+def _of_loop(loop: Loop, settling: int | None, periods: int, guess: Start) -> PeriodicOrbit:
     if not loop.driving and isinstance(loop, Feedback):
         return cast("PeriodicOrbit", exact_orbit(loop, periods, guess, settling))
     if not loop.driving:

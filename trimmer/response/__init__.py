@@ -1,6 +1,6 @@
 """What a mechanism or a loop settles to: exact periodic motions, and statistics of what does not repeat.
 
-``periodic`` solves for a state that returns; ``forced_orbit`` is the entry, ``by_itself`` all of this without
+``periodic`` solves for a state that returns, ``exact_orbit`` begins that; ``by_itself`` is all this without
 a drive, where the period is unknown. ``respond`` follows a motion from its start: ``settling`` looks for
 orbits on the way, and says what it is that does not settle. What meets no event any more is known for all
 time (``without_events``), what does not repeat through its ``statistics``; ``results`` is what is found.

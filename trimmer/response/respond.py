@@ -19,8 +19,8 @@ from trimmer.motion.time_scale import time_scale
 from trimmer.response.by_itself.self_excited import LITTLE, self_excited
 from trimmer.response.by_itself.slowing_down import slowing_down
 from trimmer.response.by_itself.unrepeated import told_of_slowing, unrepeated
+from trimmer.response.exact_orbit import diverges_by_pull, require_repeating
 from trimmer.response.flows import flow_of, require_subject
-from trimmer.response.forced_orbit import diverges_by_pull, require_repeating
 from trimmer.response.periodic.orbit import Orbit
 from trimmer.response.periodic.pace import pace_of, periods_of
 from trimmer.response.periodic.shooting import sizes_of

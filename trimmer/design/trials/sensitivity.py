@@ -16,7 +16,7 @@ from trimmer.mechanism.kinds import numbers_of_part
 from trimmer.mechanism.mechanism import Mechanism
 from trimmer.mechanism.place_text import parse_place, place_text
 from trimmer.mechanism.quantities import PARTS, Range
-from trimmer.response.forced_orbit import exact_orbit
+from trimmer.response.exact_orbit import exact_orbit
 
 STEP = 1e-3  # Change of a number, relative
 AGREES = 0.1  # Share by which the difference over half of the step may differ from that over the whole

@@ -1,8 +1,8 @@
-"""``forced_orbit`` for what is driven: a loop or a mechanism."""
+"""The exact periodic motion of a mechanism or a loop; ``trimmer.orbits.forced_orbit`` is the entry."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING
 
 from trimmer.arguments import whole_number
 from trimmer.errors import UnsupportedMotionError
@@ -10,62 +10,18 @@ from trimmer.mechanism.mechanism import Mechanism
 from trimmer.response.flows import known_flow_of
 
 if TYPE_CHECKING:
-    from trimmer.loops.loops import Loop
     from trimmer.motion.flow import Flow
     from trimmer.motion.subject import Subject
-    from trimmer.orbits.periodic_orbit import PeriodicOrbit
     from trimmer.response.periodic.orbit import Orbit
     from trimmer.response.starts import Start
 
 SETTLING = (8, 64, 512)  # Drive periods from rest after which Newton's method is tried, one after the other
 
 
-@overload
-def forced_orbit(
-    loop: Loop, settling: int | None = None, *, periods: int = 1, guess: Start = None
-) -> PeriodicOrbit: ...
-@overload
-def forced_orbit(
-    loop: Mechanism, settling: int | None = None, *, periods: int = 1, guess: Start = None
-) -> Orbit: ...
-def forced_orbit(
-    loop: Loop | Mechanism, settling: int | None = None, *, periods: int = 1, guess: Start = None
-) -> PeriodicOrbit | Orbit:
-    """Find a motion that repeats with the drive.
-
-    It is an exact motion, stable or not, that returns after a number of drive periods; of a mechanism without
-    a drive, one that returns after a period of its own. Newton's method begins at the guess; without one, at
-    the motion from rest after 8, 64 and 512 drive periods, or after ``settling``.
-
-    Args:
-        loop: A loop with a drive, or a mechanism.
-        settling: Periods of the drive to follow before Newton's method.
-        periods: Number of drive periods after which the motion returns.
-        guess: Where the motion begins, near the one that is sought, at the start of a drive period:
-            displacement, m, and velocity, m/s, by body, or states of a loop by name; or all states, (n,).
-
-    Returns:
-        The orbit. That of a mechanism says itself whether it was found (``success``, ``message``), and
-        whether it returns already after fewer periods (``period_count``).
-
-    Raises:
-        ValueError: if a loop has no drive, or a number is out of range.
-        OrbitNotFoundError: if Newton's method finds none for a loop; if the motion of a mechanism cannot be
-            followed, or comes to rest or repeats nowhere without a drive.
-        MechanismError, LoopError: if the guess does not fit.
-        UnsupportedMotionError: if a mechanism never repeats, because a pin goes on for ever and pulls.
-    """
-    if isinstance(loop, Mechanism):
-        return exact_orbit(loop, periods, guess, settling)
-    from trimmer.orbits.forced_orbit import loop_orbit
-
-    return loop_orbit(loop, settling, periods, guess)
-
-
 def exact_orbit(
     subject: Subject, periods: int = 1, guess: Start = None, settling: int | None = None
 ) -> Orbit:
-    """Find an exact periodic motion of a mechanism or a loop; see ``forced_orbit``."""
+    """Find an exact periodic motion of a mechanism or a loop; see ``trimmer.orbits.forced_orbit``."""
     from trimmer.response.by_itself.orbit_by_itself import orbit_by_itself, self_excited_orbit
     from trimmer.response.starts import instant_of
 
