@@ -62,11 +62,6 @@ def between(lower: arb, upper: arb, digits: int = 12) -> str:
     return f"between {words[0]} and {words[1]}"
 
 
-def real(value: fmpq | int) -> arb:
-    """Return an exact number as a ball."""
-    return arb(value)
-
-
 def along_axis(polynomial: fmpq_poly) -> tuple[fmpq_poly, fmpq_poly]:
     """Return real and imaginary part of a polynomial in s at s = j omega, as polynomials in omega."""
     parts: tuple[list[fmpq], list[fmpq]] = ([], [])

@@ -4,7 +4,7 @@ from itertools import combinations
 
 from flint import acb, arb, ctx, fmpq_poly
 
-from trimmer.proof.balls import PRECISION, along_axis, exact, fraction_of, in_balls, real
+from trimmer.proof.balls import PRECISION, along_axis, exact, fraction_of, in_balls
 from trimmer.proof.described import Parts
 from trimmer.proof.outcome import RefutedError, UndecidedError
 from trimmer.proof.plane import Plane
@@ -42,7 +42,7 @@ def all_solutions(data: LimitCycles) -> list[Solution]:
 
 
 def _is_within(omega: arb, omegas: tuple[float, float]) -> bool:
-    lowest, highest = (real(exact(each)) for each in omegas)
+    lowest, highest = (arb(exact(each)) for each in omegas)
     if omega < lowest or omega > highest:
         return False
     if omega > lowest and omega < highest:
@@ -75,14 +75,14 @@ def _compare(found: list[Solution], data: LimitCycles) -> None:
 
 def _distance(solution: Solution, cycle: Place) -> arb:
     """Bound the larger distance of amplitude and omega, as shares of those of the solution."""
-    amplitude, omega = (real(exact(each)) for each in (cycle.amplitude, cycle.omega))
+    amplitude, omega = (arb(exact(each)) for each in (cycle.amplitude, cycle.omega))
     return abs(amplitude / solution[0] - 1).max(abs(omega / solution[1] - 1))
 
 
 def _is_told(omega: arb, plant: Coefficients | Matrices) -> bool:
     """Return whether the denominator, each coefficient off by its last digit, still differs from 0."""
     ordered = fraction_of(plant)[1].coeffs()
-    sizes = sum((abs(real(each)) * omega**power for power, each in enumerate(ordered)), arb(0))
+    sizes = sum((abs(arb(each)) * omega**power for power, each in enumerate(ordered)), arb(0))
     value = in_balls(along_axis(fmpq_poly(ordered)))(acb(omega))
     return bool(abs(value) > sizes * arb(2) ** -50)
 

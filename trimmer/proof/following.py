@@ -1,9 +1,9 @@
-"""A motion followed in balls from a ball of starts: matrix exponentials, Taylor's polynomials, event times.
+"""A motion followed in balls from a ball of starts: matrix exponentials and event times.
 
 In each mode Z' = M Z, states first, then what forces them; a mode lasts while its event functions,
 functionals of Z, are positive. Where one falls to zero, Z is multiplied by a reset and the next mode begins.
 The matrix exponentials are over the durations as computed; what the event times differ from them, each
-enclosed by an interval Newton step, is left to Taylor's polynomials. The derivative by the start has the jump
+enclosed by an interval Newton step, is left to another exponential. The derivative by the start has the jump
 of each event in it (Leine and Nijmeijer 2004, chapter 7).
 """
 
@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from flint import arb, arb_mat, ctx
+from flint import arb, arb_mat
 
 from trimmer.proof import statement
 from trimmer.proof.balls import about
@@ -26,7 +26,6 @@ from trimmer.proof.statement import Course, Equations, Row, StatedSpecialPoint
 
 PRECISION = 1408  # Bits; balls grow by about a factor e with each step of 1/|M|
 RADIUS = -640  # Power of two of the radius of the ball of starts, as a share of the sizes
-MOST_TERMS = 200  # Of Taylor's polynomials over what an event is later than computed
 BY_LAW = 1e-9  # Share of its terms below which something is taken for what the law says: zero
 MOST_STEPS = 6000  # Of a segment
 
@@ -335,20 +334,10 @@ def _balanced(flow: arb_mat, sizes: list[arb], n: int) -> list[arb]:
 
 
 def _moved(segment: Segment, columns: arb_mat, late: arb) -> arb_mat:
-    """Multiply columns by exp(M late), late short: Taylor's polynomial, and a bound of what it lacks."""
-    size = arb((segment.norm * late.abs_upper()).upper())
-    if not size < 1e-2:
+    """Multiply columns by exp(M late), late short."""
+    if not segment.norm * late.abs_upper() < 1e-2:
         raise UndecidedError("an event is too far from where it was computed")
-    term = found = columns
-    k, left = 1, size
-    while k < MOST_TERMS and left > arb(2) ** -ctx.prec:
-        term = segment.lifted[0] * term * (late / k)
-        found, left, k = found + term, left * size, k + 1
-    largest = [
-        functools.reduce(arb.max, map(abs, column)).upper() for column in zip(*columns.tolist(), strict=True)
-    ]
-    off = [about((2 * left * each).upper()) for each in largest]
-    return found + arb_mat([off for _ in range(found.nrows())])
+    return (segment.lifted[0] * late).exp() * columns
 
 
 def _event(segment: Segment, row: arb_mat, z: arb_mat) -> tuple[arb, arb]:

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 from flint import acb, acb_poly, arb, arb_mat, fmpq, fmpq_poly
 
-from trimmer.proof.balls import PI, about, along_axis, hull, in_balls, krawczyk, real
+from trimmer.proof.balls import PI, about, along_axis, hull, in_balls, krawczyk
 from trimmer.proof.described import Parts, carried_play, corner, ideal_play, thrown_play
 from trimmer.proof.outcome import UndecidedError, require_time
 
@@ -67,29 +67,29 @@ class ElementGain:
         zero = acb(0)
         if self.moving:
             weight, gap, lag, frozen = self.moving[0]
-            rate = arb(0) if lag is None or frozen is not None else real(lag)
-            gamma = rate * omega if lag is None or frozen is None else real(lag * frozen)
+            rate = arb(0) if lag is None or frozen is not None else arb(lag)
+            gamma = rate * omega if lag is None or frozen is None else arb(lag * frozen)
             play = thrown_play(t) if lag is None else carried_play(t, gamma)
-            u, by_t, by_omega = (each / real(gap) for each in play[:3])
-            value, slope, other = (each * real(weight) for each in play[3:])
+            u, by_t, by_omega = (each / arb(gap) for each in play[:3])
+            value, slope, other = (each * arb(weight) for each in play[3:])
             by_omega, other = by_omega * rate, other * rate
         else:
-            scale = 1 / (2 * real(self.limit))
+            scale = 1 / (2 * arb(self.limit))
             u, by_t, by_omega = (1 - t.cos()) * scale, t.sin() * scale, arb(0)
             value = slope = other = zero
         by_u = zero
-        square = acb(real(self.parts.square[0]), real(self.parts.square[1])) * 4 / PI
+        square = acb(arb(self.parts.square[0]), arb(self.parts.square[1])) * 4 / PI
         value, by_u = value + square * u, by_u + square
         for size, threshold in self.parts.corners:
-            share, steep = corner(u * real(threshold))
-            value, by_u = value + real(size) * share, by_u + real(size * threshold) * steep
+            share, steep = corner(u * arb(threshold))
+            value, by_u = value + arb(size) * share, by_u + arb(size * threshold) * steep
         for level, on, off in self.parts.relays:
             turned, by_t_of = self._relay(t, u, by_t, on, off)
-            value, slope = value + real(level) * turned, slope + real(level) * by_t_of
+            value, slope = value + arb(level) * turned, slope + arb(level) * by_t_of
         for size, gap, _, _ in self.still:
             flight, stretch = self._flight(t, gap)
             gain, by_flight = ideal_play(flight)
-            value, slope = value + real(size) * gain, slope + real(size) * by_flight * stretch
+            value, slope = value + arb(size) * gain, slope + arb(size) * by_flight * stretch
         return Gain(value, slope + by_u * by_t, other + by_u * by_omega, u)
 
     def is_parted_from(self, num: fmpq_poly, den: fmpq_poly, omega: float) -> bool:
@@ -117,7 +117,7 @@ class ElementGain:
         else:
             _, on, off = self.parts.relays[0]
             ratio, power = abs(beside) * size / along**2, powers[1] + powers[2] - 2 * powers[0]
-            least, largest = real(on - off) / 3, real(on - off) / 2
+            least, largest = arb(on - off) / 3, arb(on - off) / 2
         ratio *= arb(omega) ** power
         return bool(ratio < least if power > 0 else ratio > largest)
 
@@ -126,14 +126,14 @@ class ElementGain:
         share = gap / (2 * self.limit)
         if share == 1:
             return t, arb(1)
-        root, (sine, cosine) = real(share).sqrt(), (t / 2).sin_cos()
-        return 2 * (root * sine).asin(), root * cosine / (1 - real(share) * sine * sine).sqrt()
+        root, (sine, cosine) = arb(share).sqrt(), (t / 2).sin_cos()
+        return 2 * (root * sine).asin(), root * cosine / (1 - arb(share) * sine * sine).sqrt()
 
     def _relay(self, t: arb, u: arb, by_t: arb, on: fmpq, off: fmpq) -> tuple[acb, acb]:
         """Enclose (2/pi) u (exp(-j asin(on u)) + exp(j asin(off u))) and its derivative by t."""
         roots = [self._root(t, u, by_t, each) for each in (on, off)]
         both, slopes = roots[0][0] + roots[1][0], roots[0][1] + roots[1][1]
-        width = real(on - off)
+        width = arb(on - off)
         value = acb(u * both, -width * u * u) * 2 / PI
         return value, acb(by_t * both + u * slopes, -2 * width * u * by_t) * 2 / PI
 
@@ -143,8 +143,8 @@ class ElementGain:
             sine, cosine = (t / 2).sin_cos()
             root = (1 + sine * sine).sqrt()
             return cosine * root, -sine * root / 2 + cosine * sine * cosine / (2 * root)
-        root = (1 - (real(x) * u) ** 2).sqrt()
-        return root, -real(x * x) * u * by_t / root
+        root = (1 - (arb(x) * u) ** 2).sqrt()
+        return root, -arb(x * x) * u * by_t / root
 
 
 @dataclass(frozen=True)
@@ -302,7 +302,7 @@ class Plane:
         num, den = (in_balls(along_axis(each), self.order)(acb(inverse)) for each in (self.num, self.den))
         if self.element.turns_with_omega:
             # |N| < 1 + 1/pi + 4/pi by its closed form, at any gamma.
-            value = real(self.element.moving[0][0]) * acb(about(3), about(3))
+            value = arb(self.element.moving[0][0]) * acb(about(3), about(3))
             value += self._rest_of_moving(t)
         else:
             middle = 0.5 * (box.t[0] + box.t[1])
@@ -312,9 +312,9 @@ class Plane:
 
     def _rest_of_moving(self, t: arb) -> acb:
         """Enclose what is beside a play with a time constant: gap u lies between 0 and pi."""
-        u = hull(0, PI) / real(self.element.moving[0][1])
-        square = acb(real(self.element.parts.square[0]), real(self.element.parts.square[1])) * 4 / PI * u
-        corners = [real(weight) * hull(0, 1) for weight, _ in self.element.parts.corners]
+        u = hull(0, PI) / arb(self.element.moving[0][1])
+        square = acb(arb(self.element.parts.square[0]), arb(self.element.parts.square[1])) * 4 / PI * u
+        corners = [arb(weight) * hull(0, 1) for weight, _ in self.element.parts.corners]
         return square + sum(corners, arb(0))
 
 

@@ -11,7 +11,7 @@ from itertools import pairwise
 
 from flint import acb, arb, fmpq, fmpq_poly
 
-from trimmer.proof.balls import PI, along_axis, in_balls, positive_roots, real, roots_between
+from trimmer.proof.balls import PI, along_axis, in_balls, positive_roots, roots_between
 from trimmer.proof.described import Parts, corner
 from trimmer.proof.outcome import UndecidedError
 
@@ -69,26 +69,26 @@ def _without_roots_of(polynomial: fmpq_poly, common: fmpq_poly) -> fmpq_poly:
 
 def _inverse_amplitudes(parts: Parts, wanted: arb) -> Iterator[arb]:
     """Solve n(u) = wanted for all u > 0."""
-    slope = real(parts.square[0]) * 4 / PI if parts.square[1] == 0 else 4 / PI
+    slope = arb(parts.square[0]) * 4 / PI if parts.square[1] == 0 else 4 / PI
 
     def lacking(u: arb) -> tuple[arb, arb]:
         value, by_u = slope * u - wanted, slope
         for weight, threshold in parts.corners:
-            share, steep = corner(u * real(threshold))
-            value, by_u = value + real(weight) * share, by_u + real(weight * threshold) * steep
+            share, steep = corner(u * arb(threshold))
+            value, by_u = value + arb(weight) * share, by_u + arb(weight * threshold) * steep
         for level, on, _ in parts.relays:
-            x = u * real(on)
+            x = u * arb(on)
             root = (1 - x * x).nonnegative_part().sqrt()
             silent = x > 1
-            value += 0 if silent else real(level) * 4 / PI * u * root
-            by_u += arb(0) if silent else real(level) * 4 / PI * (1 - 2 * x * x) / root
+            value += 0 if silent else arb(level) * 4 / PI * u * root
+            by_u += arb(0) if silent else arb(level) * 4 / PI * (1 - 2 * x * x) / root
         return value, by_u
 
     kinks = sorted({1 / each for _, each in parts.corners} | {1 / on for _, on, _ in parts.relays})
-    ends = [arb(0), *(real(each) for each in kinks)]
+    ends = [arb(0), *(arb(each) for each in kinks)]
     for lower, upper in pairwise(ends):
         yield from roots_between(lacking, lower, upper)
-    rest = wanted - sum((real(weight) for weight, _ in parts.corners), arb(0))
+    rest = wanted - sum((arb(weight) for weight, _ in parts.corners), arb(0))
     if slope == 0:
         if rest.contains(0):
             raise UndecidedError("N may be right at every small amplitude")
