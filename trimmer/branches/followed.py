@@ -239,9 +239,7 @@ class FollowedBranch(Tabular, Drawn):
             Column("stable", "", lambda item: item[1].stable),
             Column("period", "s", lambda item: item[1].period),
             Column("period_count", "", lambda item: item[1].periods),
-            Column(
-                "largest_multiplier", "", lambda item: float(abs(item[1].point.multipliers).max(initial=0.0))
-            ),
+            Column("largest_multiplier", "", lambda item: item[1].largest_multiplier),
             Column("events_per_period", "", lambda item: item[1].events_per_period),
             *outputs,
         )

@@ -45,10 +45,6 @@ class _Step(NamedTuple):
     terms: Reals
 
 
-def _step(size: int) -> _Step:
-    return _Step(np.empty(size), np.empty(size), np.empty((DEGREE + 1) * size))
-
-
 @inlined
 def _decay(tables: Tables, log: Log, row: int, time: float, state: Reals) -> None:
     """Write the states that decay by themselves, which the steps leave out."""
@@ -136,7 +132,6 @@ def sample(tables: Tables, log: Log, times: Reals) -> Reals:
     """
     size = log.state.shape[1]
     states = np.empty((len(times), size))
-    _compiled_entry(
-        tables, tables.rows, log, np.ascontiguousarray(times, dtype=np.float64), _step(size), states
-    )
+    step = _Step(np.empty(size), np.empty(size), np.empty((DEGREE + 1) * size))
+    _compiled_entry(tables, tables.rows, log, np.ascontiguousarray(times, dtype=np.float64), step, states)
     return states

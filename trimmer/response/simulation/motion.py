@@ -171,7 +171,8 @@ class MechanismMotion(Motion):
         Raises:
             ValueError: if a time lies outside the motion.
         """
-        return np.array([self._signal(Steady(row), times) for row in np.eye(self.flow.size, self._size)])
+        rows = np.eye(self.flow.size, self.flow.modes.system.layout.size)
+        return np.array([self._signal(Steady(row), times) for row in rows])
 
     def output(self, name: str, times: ArrayLike) -> Reals:
         """Return an output, m, in the shape of the times, s.
@@ -282,10 +283,6 @@ class MechanismMotion(Motion):
 
     def _told(self) -> str:
         return f"{self.mechanism.title}, {super()._told()}"
-
-    @property
-    def _size(self) -> int:
-        return self.flow.modes.system.layout.size
 
     def _rows(self, name: str) -> tuple[Reals, Reals]:
         layout = self.course.modes.system.layout

@@ -155,10 +155,6 @@ class LinearMotion:
             sizes[kind] = np.maximum(sizes[kind], turned / layout.lengths[kind])
         return sizes
 
-    @property
-    def _time(self) -> float:
-        return float(self.flow.modes.system.layout.clock(self.instant.periods, self.instant.phase))
-
     def seen_by(self, row: Reals) -> tuple[float, Complexes, Complexes]:
         """Return the constant part of a functional of the extended state, (N,), its waves and its free parts.
 
@@ -166,7 +162,8 @@ class LinearMotion:
         """
         layout, size = self.flow.modes.system.layout, self.flow.size
         forcing, waves = row[size:], self.waves @ row[:size]
-        turns = np.exp(1j * np.array(layout.orders) * layout.omega * self._time)
+        time = layout.clock(self.instant.periods, self.instant.phase)
+        turns = np.exp(1j * np.array(layout.orders) * layout.omega * time)
         waves += layout.phasors @ forcing * turns
         return float(row[:size] @ self.mean + forcing @ layout.steady), waves, self.parts @ row[:size]
 
