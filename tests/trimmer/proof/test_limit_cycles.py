@@ -33,7 +33,6 @@ LOOPS: dict[str, tuple[control.lti.LTI, Element]] = {
     "a load with inertia": (TRIMMER, ViscousBacklash(4e-5, 1e-3)),
     "frozen": (TRIMMER, ViscousBacklash(4e-5, 1e-3).at(5000.0)),
     "play before an integrator": (control.tf([4.0], [1, 2, 1, 0]), FrictionBacklash(1.0)),
-    "play on an axis": (control.tf([1.0], [1, 0]), FrictionBacklash(1.0)),
     "a play that hardly moves its load": (control.tf([100.0], [1, 1, 0]), FrictionBacklash(1.0)),
     "hysteresis before an integrator": (SLOW, Relay(1.0, 0.1)),
     "a thrown load": (THIRD, 1.5 * InertiaBacklash(0.1)),
@@ -45,9 +44,10 @@ LOOPS: dict[str, tuple[control.lti.LTI, Element]] = {
         THIRD,
         2.0 * FrictionBacklash(0.1) + CoulombFriction(0.05) + ViscousFriction(0.2),
     ),
+    "relay": (THIRD, Relay(1.0)),
     "dead zone and hysteresis": (THIRD, Relay(1.0, 0.1, 0.2)),
-    "a relay that rests": (THIRD, Relay(1.0, 0.0, 0.2)),
     "preload": (THIRD, Preload(1.0, 0.2)),
+    "saturation": (THIRD, 2.0 * Saturation(0.3, 1.0)),
     "a saturation after a dead zone": (THIRD, 3.0 * DeadZone(0.1, 1.0) - 1.5 * DeadZone(0.7, 1.0)),
     "relay and friction": (SLOW, Relay(1.0) + CoulombFriction(0.3)),
 }
@@ -58,7 +58,7 @@ def balanced(system: control.lti.LTI, element: Element) -> tuple[ClosedLoop, tup
     return loop, harmonic_balance(loop).limit_cycles
 
 
-@pytest.mark.parametrize("name", quick(LOOPS, 3, 4, 6, 7, *range(9, 15)))
+@pytest.mark.parametrize("name", quick(LOOPS, 3, 5, 6, *range(8, 15)))
 def test_the_list_is_proven_and_every_other_is_not(name: str) -> None:
     loop, cycles = balanced(*LOOPS[name])
     proof = prove_limit_cycles(loop, cycles)
