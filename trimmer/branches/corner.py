@@ -44,8 +44,8 @@ def torn(front: Front) -> Border | None:
 def _tangents(front: Front, beyond: Place) -> list[Reals]:
     """Return both directions along the curve on the other side, the one with the right determinant first."""
     tangent = null_vector(beyond.slope)
-    sign = np.sign(beyond.orientation(tangent)) * front.turn
-    return [sign * tangent, -sign * tangent] if sign else [tangent, -tangent]
+    right = beyond.orientation(tangent) * front.turn >= 0.0
+    return [tangent, -tangent] if right else [-tangent, tangent]
 
 
 def _first_behind(front: Front, tangent: Reals, reach: float) -> Place | None:

@@ -71,11 +71,11 @@ def _switching(equation: HalfPeriodEquation, long: Reals, short: Reals) -> Reals
 
 
 def _cells(values: Reals) -> list[tuple[int, int]]:
-    """Return the cells below the diagonal in which both functions change their signs."""
+    """Return the cells in which both functions change their signs; above the diagonal neither has a value."""
     corners = np.stack([values[:-1, :-1], values[1:, :-1], values[:-1, 1:], values[1:, 1:]])
     lowest, highest = np.fmin.reduce(corners), np.fmax.reduce(corners)
     both = ((lowest <= 0) & (highest >= 0)).all(axis=-1)
-    return [(int(i), int(j)) for i, j in zip(*np.nonzero(both), strict=True) if i >= j]
+    return [(int(i), int(j)) for i, j in zip(*np.nonzero(both), strict=True)]
 
 
 def _solved(equation: HalfPeriodEquation, starts: Reals) -> Reals:
