@@ -122,12 +122,22 @@ def require_continuous(place: str) -> None:
         raise MechanismError(f"{place}: orders are whole numbers, so that nothing lies between two of them")
 
 
-def _interval(mechanism: Subject, place: str, start: float | str, stop: float | str) -> tuple[float, float]:
-    """Return both ends of an interval of a number, in SI units, once they were checked."""
+def ends_of(mechanism: Subject, place: str, start: float | str, stop: float | str) -> tuple[float, float]:
+    """Return both ends of an interval of a number, in SI units.
+
+    Raises:
+        MechanismError: if they are the same, or nothing is between them since it is a whole number.
+    """
     begin, end = (mechanism.with_value(place, each).value(place) for each in (start, stop))
     if begin == end:
-        raise MechanismError(f"{place}: the interval has no length, from {begin:.10g} to {begin:.10g}")
+        raise MechanismError(f"{place}: the interval has no length, from {begin:.10g} to {end:.10g}")
     require_continuous(place)
+    return begin, end
+
+
+def _interval(mechanism: Subject, place: str, start: float | str, stop: float | str) -> tuple[float, float]:
+    """Return both ends of an interval of a number, in SI units, once they were checked."""
+    begin, end = ends_of(mechanism, place, start, stop)
     if mechanism.frequency is None and parse_place(place) == ("frequency",):
         mechanism.value(place)
     flows = [flow_of(mechanism.with_value(place, each)) for each in (begin, end)]

@@ -33,10 +33,11 @@ class Plateau:
     # motion ended before
     outputs: Mapping[str, OutputMeasures]
     # Amplitudes of each output at even steps from 0 to ``ORDERS`` times the drive, with a Hann window,
-    # (lines,)
+    # (lines,); none without a drive
     spectra: Mapping[str, Reals]
     impact_speed: float  # Largest speed at which sides of contacts meet, m/s; 0 without impacts
     ending: Ending  # Why the motion ends
+    period: float | None = None  # Time after which it repeats, s; None if it does not, or rests
 
 
 def dwell(flow: Flow, begin: Instant, periods: int, before: int = 0) -> tuple[Plateau, Instant]:
@@ -69,7 +70,8 @@ def dwell(flow: Flow, begin: Instant, periods: int, before: int = 0) -> tuple[Pl
         for name, each in Measures(course, flow, repeats, measured).outputs.items()
     }
     spectra = dict(zip(outputs, _spectra(flow, course, measured, min(half, SEGMENT)).T, strict=True))
-    return Plateau(kind, count, measured, outputs, spectra, speed, course.ending), second.end
+    period = count and count * flow.period
+    return Plateau(kind, count, measured, outputs, spectra, speed, course.ending, period), second.end
 
 
 def _repeating(flow: Flow, states: Reals, end: Instant, half: int) -> tuple[MotionKind, int | None] | None:

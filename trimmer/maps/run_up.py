@@ -3,11 +3,12 @@
 import numpy as np
 
 from trimmer.arguments import whole_number
-from trimmer.branches.follow import follow, require_continuous
+from trimmer.branches.follow import ends_of, follow
 from trimmer.errors import MapError
 from trimmer.hybrid.stretch import Ending, Instant
 from trimmer.loops.loops import Loop
 from trimmer.maps.jumps import jumps
+from trimmer.maps.own_plateau import dwell_by_itself
 from trimmer.maps.plateau import Plateau, dwell
 from trimmer.maps.swept import Sweep, SweepPoint
 from trimmer.mechanism.mechanism import Mechanism
@@ -16,7 +17,10 @@ from trimmer.motion.flow import Flow
 from trimmer.progress import progress_bar
 from trimmer.response.exact_orbit import require_repeating
 from trimmer.response.flows import called, flow_of, require_subject
+from trimmer.response.periodic.pace import pace_of
 from trimmer.response.starts import Start, instant_of
+
+PERIODS = 200  # Drive periods at each value, if no number is given
 
 
 def sweep(  # noqa: PLR0913 (each is a choice of its own, all but four with a default)
@@ -26,7 +30,7 @@ def sweep(  # noqa: PLR0913 (each is a choice of its own, all but four with a de
     stop: float | str,
     *,
     steps: int = 100,
-    periods: int = 200,
+    periods: int | None = None,
     back: bool = False,
     state: Start = None,
     branch: bool = False,
@@ -40,13 +44,17 @@ def sweep(  # noqa: PLR0913 (each is a choice of its own, all but four with a de
     a number changes the place of a contact or the speed of a pin, displacements and velocities of the bodies
     stay as they are.
 
+    Without a drive the motion goes on at each value until it rests or repeats, and is measured there.
+
     Args:
-        mechanism: The mechanism or loop; it has a drive.
+        mechanism: The mechanism or loop.
         place: Dotted place of the number, such as ``frequency``.
         start: First value in SI units (Hz for a frequency), or text with its unit.
         stop: Last value.
         steps: Equal steps between them, so that there are ``steps`` + 1 values.
-        periods: Drive periods at each value, at least 2.
+        periods: Drive periods at each value, at least 2; 200, or as many samples as do as much, if not given.
+            Without a drive periods of the slowest mode in which it must come to rest or repeat; as many as
+            ``respond`` waits, if not given.
         back: Whether to go back to the first value too.
         state: Where the motion begins; rest, or the start of the mechanism, if not given.
         branch: Whether to follow the exact periodic motions over the same interval, stable or not.
@@ -57,13 +65,14 @@ def sweep(  # noqa: PLR0913 (each is a choice of its own, all but four with a de
 
     Raises:
         MechanismError, LoopError: if there is no such number, or it cannot have these values.
-        MapError: if there is no drive, or the number is a start.
+        MapError: if the number is a start.
         UnsupportedMotionError: if the motion never repeats, because a pin goes on for ever and pulls.
         ValueError: if a number is out of its range.
     """
     require_subject(mechanism)
     whole_number("steps", steps, 1)
-    whole_number("periods", periods, 2)
+    if periods is not None:
+        whole_number("periods", periods, 2)
     values = _values(mechanism, place, start, stop, steps)
     ways = [False] * len(values) + [True] * (len(values) - 1) * back
     values = [*values, *values[-2::-1]] if back else values
@@ -73,20 +82,21 @@ def sweep(  # noqa: PLR0913 (each is a choice of its own, all but four with a de
 
     def step(last: float, value: float, instant: Instant, before: int = 0) -> tuple[Plateau, Instant]:
         new = flow_at(value)
-        return dwell(new, carried(flow_at(last), instant, new), periods, before)
+        return _stay(new, carried(flow_at(last), instant, new), periods, before)
 
     # Only after whole returns of all drives does a value begin with the phases at which the one before ended.
     first = flow_at(values[0])
     require_repeating(first)
     together = first.modes.system.layout.recurrence or 1
-    periods = -(-periods // together) * together
+    if first.period:
+        periods = -(-(periods or PERIODS) * pace_of(mechanism) // together) * together
     plateaus: list[Plateau] = []
     ends: list[Instant] = []
     for number in progress_bar(range(len(values)), "steps", quiet=quiet):
         if number:
-            plateau, end = step(values[number - 1], values[number], ends[-1], number * periods)
+            plateau, end = step(values[number - 1], values[number], ends[-1], number * (periods or 0))
         else:
-            plateau, end = dwell(first, instant_of(first, state), periods)
+            plateau, end = _stay(first, instant_of(first, state), periods)
         plateaus.append(plateau)
         ends.append(end)
         if plateau.ending is not Ending.REACHED_END:
@@ -105,17 +115,15 @@ def _values(
         raise MapError(
             f"{place}: a sweep begins once; vary a number of the {called(mechanism)}, or use a map"
         )
-    begin, end = (mechanism.with_value(place, each).value(place) for each in (start, stop))
-    if mechanism.frequency is None:
-        raise MapError(
-            f"the {called(mechanism)} has no drive, so that there are no periods to count: give it a "
-            "frequency, or follow its own motion (trimmer follow)",
-            place=("frequency",),
-        )
-    if begin == end:
-        raise MapError(f"{place}: the interval has no length, from {begin:.10g} to {end:.10g}")
-    require_continuous(place)
+    begin, end = ends_of(mechanism, place, start, stop)
     return np.linspace(begin, end, steps + 1).tolist()  # type: ignore[no-any-return]
+
+
+def _stay(flow: Flow, begin: Instant, periods: int | None, before: int = 0) -> tuple[Plateau, Instant]:
+    if not flow.period:
+        return dwell_by_itself(flow, begin, periods)
+    assert periods is not None
+    return dwell(flow, begin, periods, before)
 
 
 def carried(flow: Flow, instant: Instant, new: Flow) -> Instant:

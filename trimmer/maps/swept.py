@@ -80,7 +80,8 @@ class Sweep(Tabular, Drawn):
         subject: What moves.
         place: The number that is varied.
         steps: Steps from the first to the last value.
-        periods: Drive periods at each value; the second half is measured.
+        periods: Drive periods at each value, of which the second half is measured. Of what moves by itself
+            those of the slowest mode that are waited; None if as many as ``respond`` waits.
         back: Whether it goes back.
         points: The motions, in the order in which they came.
         jumps: Where the motion jumps to another one.
@@ -90,7 +91,7 @@ class Sweep(Tabular, Drawn):
     subject: Subject
     place: str
     steps: int
-    periods: int
+    periods: int | None
     back: bool
     points: tuple[SweepPoint, ...]
     jumps: tuple[Jump, ...]
@@ -107,6 +108,11 @@ class Sweep(Tabular, Drawn):
         return {name: each.unit for name, each in flow_of(self.subject).outputs.items()}
 
     @property
+    def by_itself(self) -> bool:
+        """Whether it moves without a drive."""
+        return not flow_of(self.subject).period
+
+    @property
     def success(self) -> bool:
         """Whether it reached its end."""
         return self.points[-1].motion.ending is Ending.REACHED_END
@@ -114,8 +120,12 @@ class Sweep(Tabular, Drawn):
     @property
     def message(self) -> str:
         """How it ended, and how the motions were measured, in sentences."""
-        periods = periods_of(self.subject, self.periods)
-        told = f"each value for {periods}, of which the second half is measured"
+        told = "each value until it rests or repeats, which is measured"
+        if any(point.motion.kind is MotionKind.REST for point in self.points):
+            told += ". What rests stays so until something moves it: also begin where it moves (state)"
+        if not self.by_itself:
+            periods = periods_of(self.subject, self.periods or 0)
+            told = f"each value for {periods}, of which the second half is measured"
         last = self.points[-1]
         if self.success:
             return f"It reached its end; {told}."
@@ -202,6 +212,7 @@ class Sweep(Tabular, Drawn):
             Column("back", "", lambda point: point.back),
             Column("kind", "", lambda point: point.motion.kind),
             Column("periods", "", lambda point: point.motion.periods),
+            Column("period", "s", lambda point: point.motion.period),
             Column("impact_speed", flow_of(self.subject).units.speed, lambda p: p.motion.impact_speed),
             *(
                 Column(f"outputs.{name}.{measure}", unit, _measured(name, measure))
@@ -223,6 +234,7 @@ def _point(point: SweepPoint) -> dict[str, Any]:
         "back": point.back,
         "kind": motion.kind.word,
         "periods": motion.periods,
+        "period": motion.period,
         "measured_periods": motion.measured,
         "impact_speed": motion.impact_speed,
         "outputs": {

@@ -72,8 +72,9 @@ def motion_json(motion: MechanismMotion) -> dict[str, Any]:
 
 
 def _closings(motion: MechanismMotion) -> list[str]:
-    """Return how contacts close, as of a machine that switches; nothing where a drive goes on for ever."""
-    if (motion.mechanism.frequency is not None and motion.rest is None) or not motion.closings:
+    """Return how contacts close, as of a machine that switches; nothing where it may go on for ever."""
+    driven = motion.mechanism.frequency is not None or motion.mechanism.controllers
+    if (driven and motion.rest is None) or not motion.closings:
         return []
     units = {name: motion.flow.units_of_part(name) for name in motion.closings}
     rows = [

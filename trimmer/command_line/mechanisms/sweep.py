@@ -41,14 +41,23 @@ def _configure(parser: ArgumentParser) -> None:
         help="go back to A too, and say where the two ways differ and where each jumps",
     )
     add_count(parser, "--steps", "equal steps from A to B, both of which are among the N + 1 values", 100)
-    measured = "drive periods at each value, of which the second half is measured"
-    add_count(parser, "--periods", measured, 200, least=2)
+    add_count(
+        parser,
+        "--periods",
+        "drive periods at each value, of which the second half is measured, 200 by default; without a drive "
+        "periods of the slowest mode in which it must rest or repeat, as many as trimmer respond waits",
+        None,
+        least=2,
+    )
     parser.add_argument(
         "--branch",
         action="store_true",
         help="also follow the exact periodic motions from A to B, stable or not, as trimmer follow does",
     )
-    add_output_options(parser, "peak to peak both ways, and waterfalls over orders of the drive,")
+    add_output_options(
+        parser,
+        "peak to peak both ways, with waterfalls over orders of the drive or the frequency of its own,",
+    )
 
 
 def _run(arguments: Namespace) -> int:

@@ -23,7 +23,8 @@ def as_text(sweep: Sweep) -> str:
         for name, each in sweep.units.items()
         for measure in ("peak to peak", "rms")
     ]
-    heads = (f"{sweep.place}{unit}", "motion", *sizes, "")
+    own = ["frequency, Hz"] * sweep.by_itself
+    heads = (f"{sweep.place}{unit}", "motion", *own, *sizes, "")
     lines = [*table(heads, list(_rows(sweep))), sweep.message]
     lines += [_jump(sweep, each) for each in sweep.jumps]
     lines += [
@@ -50,7 +51,10 @@ def _rows(sweep: Sweep) -> Iterator[tuple[str, ...]]:
     for number, point in enumerate(sweep.points):
         mark = ["back"] * point.back + ["jump"] * (number in jumped)
         kind = point.motion.kind.described(point.motion.periods)
-        yield f"{point.value:.8g}", kind, *_sizes(sweep, point), " ".join(mark)
+        if sweep.by_itself and point.motion.period:
+            kind = "repeats"
+        own = [f"{1 / point.motion.period:.6g}" if point.motion.period else "-"] * sweep.by_itself
+        yield f"{point.value:.8g}", kind, *own, *_sizes(sweep, point), " ".join(mark)
 
 
 def _jump(sweep: Sweep, jump: Jump) -> str:

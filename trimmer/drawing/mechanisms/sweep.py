@@ -1,4 +1,6 @@
-"""The picture of a sweep: peak to peak both ways beside the exact branch, and a waterfall over orders."""
+"""The picture of a sweep: peak to peak both ways beside the exact branch; waterfalls, or own frequency."""
+
+from collections.abc import Callable
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -20,11 +22,19 @@ WAYS = (("run-up", "o"), ("way back", "v"))  # What the ways are called, and the
 
 
 def sweep_figure(sweep: Sweep) -> Figure:
-    """Draw peak to peak of the output that is swept, and below it a waterfall of each way."""
+    """Draw peak to peak of the output that is swept, and below it a waterfall of each way.
+
+    What moves by itself has its frequency there.
+    """
     legs = sweep.legs()
-    figure = new_figure(WIDTH, HEIGHT * (1 + len(legs)))
-    first, *others = figure.subplots(1 + len(legs), sharex=True)
+    panels = 2 if sweep.by_itself else 1 + len(legs)
+    figure = new_figure(WIDTH, HEIGHT * panels)
+    first, *others = figure.subplots(panels, sharex=True)
     draw_sweep(sweep, first)
+    if sweep.by_itself:
+        _draw_ways(sweep, others[0], lambda point: 1 / (point.motion.period or np.nan))
+        finish(others[0], (sweep.place, sweep.unit), ("frequency", "Hz"))
+        others = []
     for axes, leg, (way, _) in zip(others, legs, WAYS, strict=False):
         _draw_waterfall(sweep, axes, sweep.output(None), leg)
         axes.set_title(way, fontsize="small")
@@ -38,15 +48,18 @@ def draw_sweep(sweep: Sweep, axes: Axes, output: str | None = None) -> None:
     name = sweep.output(output)
     if sweep.branch is not None:
         draw_branch(sweep.branch, axes, name)
-    for number, (leg, (way, mark)) in enumerate(zip(sweep.legs(), WAYS, strict=False)):
-        sizes = [point.peak_to_peak(name) for point in leg]
-        values = [point.value for point in leg]
-        look: Look = {"color": colour(number + 1), "fillstyle": "none", "markersize": 3}
-        axes.plot(values, sizes, mark, linestyle="none", label=way, **look)
+    _draw_ways(sweep, axes, lambda point: point.peak_to_peak(name))
     for jump in sweep.jumps:
         if jump.output == name:
             axes.axvline(0.5 * (jump.before + jump.after), **FAINT, label="jump")
     finish(axes, (sweep.place, sweep.unit), (f"{name}, peak to peak", sweep.units[name]))
+
+
+def _draw_ways(sweep: Sweep, axes: Axes, size: Callable[[SweepPoint], float]) -> None:
+    for number, (leg, (way, mark)) in enumerate(zip(sweep.legs(), WAYS, strict=False)):
+        look: Look = {"color": colour(number + 1), "fillstyle": "none", "markersize": 3}
+        values = [point.value for point in leg]
+        axes.plot(values, [size(point) for point in leg], mark, linestyle="none", label=way, **look)
 
 
 def _draw_waterfall(sweep: Sweep, axes: Axes, name: str, leg: tuple[SweepPoint, ...]) -> None:
