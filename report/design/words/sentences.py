@@ -120,11 +120,12 @@ def inventory(design: Design) -> str:
     lacking = [
         many for number, _, many in counted if not number and many in ("plays", "stops", "frictions", "pins")
     ]
-    drive = (
-        f"It is driven at {shown(mechanism.frequency, 'Hz', 5)}."
-        if mechanism.frequency is not None
-        else "It has no drive: it moves by itself, or not at all."
-    )
+    if mechanism.frequency is not None:
+        drive = f"It is driven at {shown(mechanism.frequency, 'Hz', 5)}."
+    elif any(each.profile for each in mechanism.forces.values()):
+        drive = "It has no drive; forces that change at given times switch it."
+    else:
+        drive = "It has no drive; whatever moves on in it does so by itself."
     none = f" There are no {listed(lacking, 'or')}." if lacking else ""
     turning = Kind.ROTATION in mechanism.kinds.values()
     how = "It moves along one line or turns" if turning else "All of it moves along one line"
