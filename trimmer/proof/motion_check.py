@@ -70,19 +70,14 @@ def check_orbit(data: StatedMotion) -> str:
     if motion.autonomous:
         lasts = f"a period within {NEAR:g}, relative, of {period} s"
         across, beside = " on a plane across it", " but for the one of a shift in time"
-    ticks = sum(each.at is not None for each in course.segments)
-    demands = sum(len(each.strict) for each in course.segments)
-    sampled = (
-        f", {ticks} of them at instants of a clock where its {demands} inequalities hold," if ticks else ""
-    )
     word = "neither said to be stable nor unstable" if stable is None else words[stable]
     return (
         f"The system that is linear between events, with the modes of this file {unchecked(course.about)} "
         "and what it says of the states after each event, its numbers taken as exact, has a periodic motion "
-        f"with {lasts}, with the {len(course.segments) - 1} events of this file{sampled} in its order and no "
-        f"other, which begins within {NEAR:g} of the state of this file, as a share of the sizes of the "
-        f"states. In a ball of {2.0**RADIUS:.1g} of these sizes about it no other start{across} returns with "
-        f"these events.{taken_as_zero(course)}{told} It is {word}: the largest modulus of its "
+        f"with {lasts}, with the {len(course.segments) - 1} events of this file{at_instants(course)} in its "
+        f"order and no other, which begins within {NEAR:g} of the state of this file, as a share of the "
+        f"sizes of the states. In a ball of {2.0**RADIUS:.1g} of these sizes about it no other start{across} "
+        f"returns with these events.{taken_as_zero(course)}{told} It is {word}: the largest modulus of its "
         f"multipliers{beside} is {largest}."
     )
 
@@ -96,6 +91,13 @@ def require_near(motion: BallMotion, unknown: list[arb], near: float) -> None:
     # The period is told to 12 digits.
     if motion.autonomous and not abs(unknown[motion.n]) < 0.99 * near * motion.period:
         raise RefutedError(f"its period is longer by {float(unknown[motion.n].mid())!r} s")
+
+
+def at_instants(course: Course) -> str:
+    """Say which events a clock gives, if it gives any."""
+    ticks = sum(each.at is not None for each in course.segments)
+    demands = sum(len(each.strict) for each in course.segments)
+    return f", {ticks} of them at instants of a clock where its {demands} inequalities hold," if ticks else ""
 
 
 def unchecked(about: str) -> str:

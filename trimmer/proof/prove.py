@@ -188,8 +188,9 @@ def prove_special_point(
         limit: Time after which the check gives up, undecided, s.
 
     Returns:
-        Proven, refuted or undecided. A grazing of what has events besides, and a symmetry breaking of other
-        than a motion that is its own mirror image after half a period, are undecided.
+        Proven, refuted or undecided. A grazing of what has events or samples besides, a symmetry breaking of
+        other than a motion that is its own mirror image after half a period, and of a sampled motion a number
+        on which the clock, demands or their limits depend, are undecided.
 
     Raises:
         WrongTypeError: if an argument is of another type.
@@ -224,6 +225,12 @@ def _course_at(branch: FollowedBranch, special: SpecialPoint, over: DrivenMap) -
     return passage.course if over.mirrored else begun_amid(passage.course), over
 
 
+def _clock_of(motion: dict[str, Any], flow: Flow) -> tuple[Any, ...]:
+    """Return what a file says but once of a clock: its samples, what is positive at them, and the period."""
+    period = flow.modes.system.layout.period
+    return motion["clock"], [each["strict"] for each in motion["segments"]], motion["clock"] and period
+
+
 def _special_data(system: Subject, branch: FollowedBranch, special: SpecialPoint) -> dict[str, Any]:
     kind, place, value = special.kind, branch.map.place, float(special.value)
     if kind not in COVERED:
@@ -242,14 +249,17 @@ def _special_data(system: Subject, branch: FollowedBranch, special: SpecialPoint
             "motions that return but for a shift along which no force changes are not covered"
         )
     motion = motion_data(course, flow, 0 if branch.finds_period else over.length)
-    if motion["clock"]:
-        raise UndecidedError("special points of sampled motions are not covered")
+    if motion["clock"] and kind is SpecialKind.GRAZING:
+        raise UndecidedError("a grazing of sampled motions is not covered")
     if over.mirrored:
         motion["signs"] = [int(each) for each in flow.mirrored_states]
     beside = []
     for factor in (1.0 - ASIDE, 1.0 + ASIDE):
         changed = system.with_value(place, value * factor)
-        beside.append((float(changed.value(place)), equations_data(course, flow_of(changed))))
+        other = flow_of(changed)
+        if _clock_of(motion_data(course, other, motion["periods"]), other) != _clock_of(motion, flow):
+            raise UndecidedError("a number on which samples, demands or their limits depend is not covered")
+        beside.append((float(changed.value(place)), equations_data(course, other)))
     beside.sort(key=itemgetter(0))
     told_once(motion, *(equations for _, equations in beside))
     told = {"kind": kind.word, "place": place, "value": value, "motion": motion}

@@ -15,7 +15,7 @@ from flint import acb_mat, arb, arb_mat, ctx
 from trimmer.proof.balls import about
 from trimmer.proof.following import PRECISION, RADIUS, BallMotion, Followed, diagonal
 from trimmer.proof.form import require_form, require_shortest
-from trimmer.proof.motion_check import require_near, taken_as_zero, unchecked
+from trimmer.proof.motion_check import at_instants, require_near, taken_as_zero, unchecked
 from trimmer.proof.outcome import RefutedError, UndecidedError
 from trimmer.proof.readings import readings, smallest
 from trimmer.proof.returning import (
@@ -204,7 +204,8 @@ def _theorem(motion: BallMotion, data: StatedSpecialPoint, told: str, touching: 
         f"events, with {modes} on the straight line through those of this file at v = {first!r} and "
         f"{second!r} {unchecked(data.motion.about)}, and so with what it says of the states after each "
         f"event, all numbers taken as exact, have one smooth curve of {motions} with the "
-        f"{len(motion.segments) - 1} events of this file in its order and no other{aside}, within {BESIDE:g} "
-        f"of its state as a share of the sizes of the states.{taken_as_zero(data.motion)} On this curve, "
+        f"{len(motion.segments) - 1} events of this file{at_instants(data.motion)} in its order and no "
+        f"other{aside}, within {BESIDE:g} of its state as a share of the sizes of the states."
+        f"{taken_as_zero(data.motion)} On this curve, "
         f"{happens}: a {kind} within {TOLD:g}, relative, of v = {told}."
     )

@@ -213,7 +213,7 @@ class StatedSpecialPoint:
         ]
         _require(forms[0] == forms[1], "the equations of two values are not of one form")
         _require(self.value != 0 and self.beside[0].value < self.beside[1].value, "the values are none")
-        _require(not self.motion.clock, "special points of sampled motions are not covered")
+        _require(not self.motion.clock or first.period == second.period, "a clock does not keep its times")
         half = 0.5 if self.motion.signs else 0.0
         _require((self.motion.periods - half).is_integer(), "half of a motion has signs, and no other has")
 

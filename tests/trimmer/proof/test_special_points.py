@@ -19,6 +19,7 @@ from tests.trimmer.branches.bouncing_ball import ball, fold, thrown
 from tests.trimmer.branches.published import dead_zone, two_blocks
 from trimmer import Body, ClosedLoop, FollowSettings, Force, Link, Mechanism, Play, Relay, SpecialKind, follow
 from trimmer.branches import FollowedBranch, SpecialPoint
+from trimmer.mechanism import Pid
 from trimmer.proof import Proof, check_proof, prove_special_point
 
 pytest.importorskip("flint")
@@ -69,6 +70,12 @@ def wall(amplitude: float) -> Mechanism:
     return machine.with_value(AMPLITUDE, amplitude)
 
 
+def sampled() -> Mechanism:
+    ends, numbers = ("ground", "mass"), {"kp": 0.5, "kd": 0.02, "filter_time": 0.05, "limit": 3.0}
+    place = Pid(measure="mass", acts=ends, sample=1 / 8.8, **numbers)
+    return replace(MACHINE, frequency=1.1, controllers={"place": place})
+
+
 GRAVITY, OMEGA, REBOUND = 9.81, 20.0 * TURN, 0.6
 THROWN = GRAVITY * math.pi * (1 - REBOUND) / (1 + REBOUND) / OMEGA**2
 """Amplitude, m, from which a table throws a ball once a period, by Newton's law. At impact A cos(phase) is
@@ -100,8 +107,11 @@ BRANCHES: dict[str, tuple[Callable[[], Any], str, tuple[float, float], str, Call
     "stops": (between_stops, "frequency", (0.193, 0.19), "symmetry-breaking", lambda: 0.191360833785),
     # By brute force: tests/trimmer/branches/test_follow_self_excited.py.
     "blocks": (lambda: two_blocks(0.7), SPEED, (0.7, 0.69), "period-doubling", lambda: 0.697486236508),
+    # By DOP853 between samples: the least amplitude over all starts near it that return.
+    "sampled": (sampled, "forces.drive.amplitude", (55.0, 46.5), "fold", lambda: 46.83340038247),
 }
 STATES = {"ball": thrown(0.3, 0.45), "blocks": [0.549, 0.543, -0.954, -0.952, 6.44]}
+STATES["sampled"] = [-1.85, 71.66, 9.0155, 3.0]
 """Where a branch begins, if not where its first motion settles."""
 
 
@@ -135,6 +145,15 @@ def test_all_folds_and_doublings_of_a_dead_zone_are_proven() -> None:
     proofs = [prove_special_point(machine, branch, each) for each in branch.special if each.kind in kinds]
     assert len(proofs) > 1
     assert all(proofs)
+
+
+@pytest.mark.slow
+def test_what_a_clock_asks_of_a_number_is_not_covered() -> None:
+    _, fold_over_force = found("sampled")
+    machine = sampled().with_value("forces.drive.amplitude", fold_over_force.value)
+    branch = follow(machine, "controllers.place.limit", 3.0, 3.001, settings=ALONE)
+    proof = prove_special_point(machine, branch, replace(fold_over_force, value=3.0))
+    assert "demands or their limits depend" in proof.reason
 
 
 @pytest.mark.parametrize("factor", quick([1 + 3e-6, 1 - 3e-6], 0))
