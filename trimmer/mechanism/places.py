@@ -187,7 +187,7 @@ def _found(mechanism: Mechanism, place: str) -> tuple[Place, NumberField]:
     if _is_left_out(mechanism, names):
         raise MechanismError(f"{place_text(names)} is not given; write it into the file before it is changed")
     known = quantities(mechanism)
-    raise MechanismError(f"there is no number at {place_text(names)}; {advice(names, known)}")
+    raise MechanismError(f"there is no number at {place_text(names)}; {advice(names, known)}", place=names)
 
 
 def _is_left_out(mechanism: Mechanism, names: Place) -> bool:
