@@ -102,7 +102,7 @@ def test_what_is_wrong_is_named_with_line_key_and_value(old: str, new: str, told
 
 def test_targets_on_what_is_not_there_are_refused() -> None:
     text = example_text("den-hartog") + "\n[targets]\nimpact_speed_at_most = 1.0\n"
-    with pytest.raises(MechanismError, match="no play or stop that this could bound"):
+    with pytest.raises(MechanismError, match="no play, stop or wall that this could bound"):
         design_file_of_text(text, "mine.toml")
     text = example_text("block-on-belt") + "\n[targets]\nonly_drive_period = true\n"
     with pytest.raises(MechanismError, match="no drive, so there is no period to keep"):

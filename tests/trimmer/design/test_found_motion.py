@@ -98,11 +98,7 @@ def orbit_of_shaken() -> Any:
     # From the velocities at which the displacements repeat: -F/(m w) cos at t = 0.
     flow = MechanismFlow(shaken())
     omega = 40 * np.pi
-    start = {
-        "one": (0.0, -(6.0 / omega + 8.0 / (3 * omega))),
-        "two": (0.0, -3.0 / (2 * omega)),
-        "three": (0.0, 0.0),
-    }
+    start = {"one": (0.0, -26.0 / (3 * omega)), "two": (0.0, -1.5 / omega), "three": (0.0, 0.0)}
     return flow.course(flow.rest(start), 1)
 
 
@@ -128,17 +124,13 @@ def test_lines_are_weighted_one_by_one() -> None:
 
 def test_samples_are_weighted_without_their_mean() -> None:
     flow = MechanismFlow(shaken())
-    begin = flow.rest()
-    made = flow.course(begin, 20)
+    made = flow.course(flow.rest(), 20)
     rms = {"one": 2.0, "two": 3.0, "three": 4.0}
     found = hand_arm_of_samples(made, rms, 64 * 20.0)
-    assert found["one"].weighted == pytest.approx(
-        2.0
-        * math.sqrt(0.36 * abs(hand_arm_weighting(20.0)) ** 2 + 0.64 * abs(hand_arm_weighting(60.0)) ** 2),
-        rel=1e-3,
-    )
+    first, second, third = abs(hand_arm_weighting([20.0, 40.0, 60.0]))
+    assert found["one"].weighted == pytest.approx(math.hypot(6.0 * first, 8.0 * third) / 2**0.5, rel=1e-3)
     # The constant force is no vibration.
-    assert found["two"].weighted == pytest.approx(3.0 * abs(hand_arm_weighting(40.0)), rel=1e-3)
+    assert found["two"].weighted == pytest.approx(3.0 * second / 2**0.5, rel=1e-3)
     assert (found["three"].weighted, found["three"].rms) == (0.0, 4.0)
     assert (found["one"].highest, found["one"].lines) == (640.0, 0)
 
@@ -153,3 +145,17 @@ def test_what_goes_backwards_is_told_beside_what_stays() -> None:
     )
     advances = of_orbit(forced_orbit(machine)).advances
     assert dict(advances) == {"sled": pytest.approx(-2.0 / 4.0 / 20.0)}
+
+
+def test_impulses_of_a_wall_are_felt() -> None:
+    """A ball that meets a table once a period gets g/f there: each line of its acceleration is 2 g."""
+    orbit = forced_orbit(Mechanism.from_toml_text(example_text("bouncing-ball")))
+    ball, gravity, frequency = of_orbit(orbit).hand_arm["ball"], 9.81, 1 / orbit.period
+    weights = abs(hand_arm_weighting(frequency * np.arange(1, 40_000)))
+    felt = gravity * np.sqrt(2.0 * np.cumsum(weights**2))
+    assert ball.rms == pytest.approx(gravity, rel=1e-9)
+    assert ball.amplitude == pytest.approx(np.full(ball.lines, 2 * gravity), rel=1e-6)
+    assert ball.weighted == pytest.approx(felt[ball.lines - 1], rel=1e-9)
+    assert felt[-1] - felt[ball.lines - 1] < ball.left_out < 2e-4 * felt[-1]
+    more = hand_arm_of_samples(orbit.flow.course(orbit.instant, 20), {"ball": gravity}, 256 * frequency)
+    assert more["ball"].weighted == pytest.approx(felt[-1], rel=np.pi / 256)  # It meets it between samples.

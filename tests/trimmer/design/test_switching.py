@@ -132,7 +132,7 @@ PROFILE = "a force follows a profile, with which nothing repeats"
 @pytest.mark.parametrize(
     ("targets", "changes", "told"),
     [
-        ('bounce_time_at_most = { seet = "1 ms" }', (), "no play or stop 'seet'; did you mean seat?"),
+        ('bounce_time_at_most = { seet = "1 ms" }', (), "no play, stop or wall 'seet'; did you mean seat?"),
         ('closing_time_at_most = "1 mm"', (), '"5 ms" would do'),
         ('closing_time_at_most = "-1 ms"', (), "must be zero or greater"),
         ("rms_acceleration_at_most = 3.0", (), PROFILE),

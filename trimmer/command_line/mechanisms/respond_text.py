@@ -10,6 +10,7 @@ from trimmer.command_line.json_values import document
 from trimmer.command_line.table import or_rounding, table
 from trimmer.mechanism.cut_waveforms import told_of_waveforms
 from trimmer.mechanism.mechanism import Mechanism
+from trimmer.motion.part_measures import ContactMeasures
 from trimmer.motion.units import with_unit
 from trimmer.response.flows import flow_of
 from trimmer.response.periodic.pace import pace_of, period_word
@@ -215,6 +216,7 @@ def _parts(motion: SettledMotion, flow: Flow) -> Iterator[str]:
         units = {name: flow.units_of_part(name) for name in motion.contacts}
         force, newton = _headed("largest force", {name: each.force for name, each in units.items()})
         speed, per_second = _headed("largest speed", {name: each.speed for name, each in units.items()})
+        walls = flow.subject.walls if isinstance(flow.subject, Mechanism) else ()
         yield from table(
             ("contact", "impacts per period", speed, *([force] if forces else []), "time in contact"),
             [
@@ -222,7 +224,7 @@ def _parts(motion: SettledMotion, flow: Flow) -> Iterator[str]:
                     name,
                     f"{each.impacts:g}",
                     f"{each.impact_speed:.6g}{per_second[name]}",
-                    *([] if each.largest_force is None else [f"{each.largest_force:.6g}{newton[name]}"]),
+                    *([] if each.largest_force is None else [_force(each, name in walls, newton[name])]),
                     f"{each.share:.2%}",
                 )
                 for name, each in motion.contacts.items()
@@ -238,3 +240,7 @@ def _parts(motion: SettledMotion, flow: Flow) -> Iterator[str]:
                 for name, each in motion.frictions.items()
             ],
         )
+
+
+def _force(each: ContactMeasures, rigid: bool, unit: str) -> str:
+    return "an impulse" if rigid and each.impacts else f"{each.largest_force:.6g}{unit}"

@@ -52,6 +52,18 @@ def rows_of_impulses(course: Course) -> list[int]:
     return found
 
 
+def speeds_given(course: Course, weights: Reals) -> tuple[Reals, Reals]:
+    """Return when walls give impulses, s, (k,), and how much these change the rates of sums, (k, sums).
+
+    Args:
+        course: The motion.
+        weights: Of the displacements in each sum, (sums, coordinates).
+    """
+    rows, velocities = rows_of_impulses(course), course.modes.system.machine.velocities
+    changed = [(course.log.state[row] - state_before(course, row))[velocities] for row in rows]
+    return course.log.start[rows], np.array(changed).reshape(-1, weights.shape[1]) @ weights.T
+
+
 def work_at_walls(course: Course, mechanism: Mechanism, pin: str, rate: Reals) -> float:
     """Return the work of what moves a pin against impulses of walls, J.
 

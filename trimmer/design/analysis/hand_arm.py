@@ -1,16 +1,20 @@
-"""Vibration of what a hand holds, weighted by W_h of ISO 5349-1, as exposure to vibration along one axis."""
+"""Vibration of what a hand holds, weighted by W_h of ISO 5349-1, as exposure to vibration along one axis.
+
+An impulse of a wall changes a velocity at once. Its acceleration has no mean square, but lines as any other
+has, of one size at all frequencies. Weighted they fall.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.integrate import quad
 
 from trimmer.arrays import Complexes, Reals
-from trimmer.contact.readouts.readouts import acceleration
+from trimmer.contact.readouts.impacts import speeds_given
 from trimmer.motion.course import Course
 from trimmer.motion.fourier import fourier
-from trimmer.motion.signals import along
 
 BAND = 10**0.8, 10**3.1  # Corner frequencies of the band limitation f1 and f2, Hz: 6.310 and 1258.9
 BAND_QUALITY = 2**-0.5
@@ -47,7 +51,7 @@ class HandArm:
 
     Attributes:
         weighted: Root of the mean square of the acceleration weighted by W_h, m/s².
-        rms: The same without weighting, m/s².
+        rms: The same without weighting and without the impulses of walls, m/s².
         left_out: Bound on what the frequencies that were left out add to ``weighted``, m/s².
         highest: Frequency up to which it was summed, Hz.
         lines: How many lines were summed; 0 where samples were weighted, as the motion does not repeat.
@@ -71,46 +75,57 @@ def hand_arm_of_orbit(course: Course, omega: float, rms: Mapping[str, float]) ->
     """Weight the vibration of each body over a period, line by line, exact to rounding; rms is in m/s²."""
     layout = course.modes.system.layout
     count = min(int(np.ceil(2 * np.pi * HIGHEST / omega)), MOST_LINES)
-    weights_of = {name: layout.weights(name) for name in layout.shaken}
-    displacements = course.nodes.states[:, : len(layout.coordinates)] @ np.array(list(weights_of.values())).T
+    weights_of = np.array([layout.weights(name) for name in layout.shaken])
+    displacements = course.nodes.states[:, : len(layout.coordinates)] @ weights_of.T
     mean = course.nodes.weights @ displacements / course.duration
     orders = np.arange(1, count + 1)
-    waves = fourier(course, displacements - mean, omega, count) * (orders * omega)[:, None] ** 2
-    weights = abs(hand_arm_weighting(orders * omega / (2 * np.pi)))
-    squares = 0.5 * abs(waves) ** 2
-    beyond = _largest_beyond(count * omega / (2 * np.pi))
+    frequency = np.asarray(orders * omega / (2 * np.pi), dtype=np.float64)
+    waves: Complexes = -fourier(course, displacements - mean, omega, count) * (orders * omega)[:, None] ** 2
+    times, given = speeds_given(course, weights_of)
+    impulses = 2 / course.duration * np.exp(-1j * omega * np.outer(orders, times)) @ given
+    largest_impulses = 2 / course.duration * abs(given).sum(axis=0)
+    weights = abs(hand_arm_weighting(frequency))
+    beyond, all_beyond = _weights_beyond(frequency[-1].item(), frequency[0].item())
     found = {}
     for body, name in enumerate(layout.shaken):
-        rest = max(rms[name] ** 2 - squares[:, body].sum(), 0.0)
-        weighted = float(np.sqrt(weights**2 @ squares[:, body]))
-        left_out = float(np.sqrt(weighted**2 + beyond**2 * rest)) - weighted
-        each = np.asarray(orders * omega / (2 * np.pi), dtype=np.float64)
-        found[name] = HandArm(
-            weighted, rms[name], left_out, each[-1].item(), count, each, abs(waves[:, body])
-        )
+        lines: Reals = np.abs(waves[:, body])
+        rest = max(rms[name] ** 2 - 0.5 * float((abs(waves - impulses)[:, body] ** 2).sum()), 0.0)
+        weighted = float(np.sqrt(0.5 * weights**2 @ lines**2))
+        above = beyond * np.sqrt(rest) + all_beyond * largest_impulses[body] * 0.5**0.5
+        left_out = float(np.hypot(weighted, above)) - weighted
+        found[name] = HandArm(weighted, rms[name], left_out, frequency[-1].item(), count, frequency, lines)
     return found
 
 
-def _largest_beyond(frequency: float) -> float:
-    """Return the largest weighting above a frequency, Hz: it rises up to about 12 Hz, and then falls."""
-    return float(abs(hand_arm_weighting(np.maximum(np.geomspace(1.0, 100.0, 400), frequency))).max())
+def _weights_beyond(highest: float, spacing: float) -> tuple[float, float]:
+    """Return bounds on the largest weighting above a frequency, Hz, and on the root of the sum of squares.
+
+    It rises up to about 12 Hz, and then falls: a sum over lines is at most its integral and its largest.
+    """
+    largest = float(abs(hand_arm_weighting(np.maximum(np.geomspace(1.0, 100.0, 400), highest))).max())
+    integral, _ = quad(lambda frequency: abs(hand_arm_weighting(frequency)) ** 2, highest, np.inf, limit=200)
+    return largest, float(np.sqrt(largest**2 + integral / spacing))
 
 
 def hand_arm_of_samples(course: Course, rms: Mapping[str, float], rate: float) -> Mapping[str, HandArm]:
-    """Weight the vibration of each body over a window of what does not repeat; rms is in m/s², rate in Hz."""
-    count = int(course.duration * rate)
-    times = course.duration * (np.arange(count) + 0.5) / count
-    (rows, states), taper = course.at(times), np.hanning(count)
+    """Weight the vibration of each body over a window of what does not repeat; rms is in m/s², rate in Hz.
+
+    The window of Hann takes velocities to accelerations, -∫ v (w exp(-i ω t))' dt, so that impulses count.
+    """
+    layout, count = course.modes.system.layout, int(course.duration * rate)
+    part = (np.arange(count) + 0.5) / count
+    taper, slope = np.sin(np.pi * part) ** 2, np.pi / course.duration * np.sin(2 * np.pi * part)
+    speeds = course.states(course.duration * part)[:, course.modes.system.machine.velocities]
+    gained = (course.end.state - course.begin.state)[course.modes.system.machine.velocities]
+    speeds = speeds - speeds.mean(axis=0) - np.outer(part - 0.5, gained)
     frequency = np.asarray(np.fft.rfftfreq(count, course.duration / count), dtype=np.float64)
-    weights = abs(hand_arm_weighting(frequency))
+    weights, near = abs(hand_arm_weighting(frequency)), frequency <= HIGHEST
     found = {}
-    for name in course.modes.system.layout.shaken:
-        signal = along(course, acceleration(course.modes, name), rows, states)
-        lines = abs(np.fft.rfft((signal - signal.mean()) * taper))
-        power = lines**2
-        share = float(weights**2 @ power / power.sum()) if power.sum() > 0 else 0.0
-        weighted = float(np.sqrt(share)) * rms[name]
-        near = frequency <= HIGHEST
+    for name in layout.shaken:
+        speed = speeds @ layout.weights(name)
+        waves = 2j * np.pi * frequency * np.fft.rfft(speed * taper) - np.fft.rfft(speed * slope)
+        lines = np.asarray(abs(waves), dtype=np.float64)
+        weighted = float(np.sqrt(2 * weights**2 @ lines**2 / (count * (taper @ taper))))
         sizes = 2 * lines[near] / taper.sum()
         found[name] = HandArm(weighted, rms[name], float("nan"), rate / 2, 0, frequency[near], sizes)
     return found

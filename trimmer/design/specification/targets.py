@@ -167,7 +167,7 @@ def _of_period(value: object, mechanism: Mechanism, problems: list[Problem]) -> 
 
 def _bounds(key: str, value: object, mechanism: Mechanism, problems: list[Problem]) -> Iterator[Target]:
     measure = BOUNDS[key]
-    parts, noun = _parts(measure, mechanism), _NAMES.get(measure, "play or stop")
+    parts, noun = _parts(measure, mechanism), _NAMES.get(measure, "play, stop or wall")
     if measure in OF_STEP:
         noun = "controller that follows a step"
         if not parts:
