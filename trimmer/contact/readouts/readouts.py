@@ -22,16 +22,15 @@ from trimmer.contact.modes.curves import mirror_of
 from trimmer.contact.modes.system import MechanismSystem
 from trimmer.contact.readouts.control_readouts import parts_of_controls
 from trimmer.contact.readouts.curve_forces import curve_forces
-from trimmer.contact.readouts.friction_forces import hold_forces
 from trimmer.contact.readouts.impacts import impact_at
-from trimmer.contact.readouts.outputs import contact_force
+from trimmer.contact.readouts.outputs import HoldForce, contact_force
 from trimmer.hybrid.system import NOTHING
 from trimmer.hybrid.tables import Modes
 from trimmer.motion.course import Course
-from trimmer.motion.extremes import extremes
+from trimmer.motion.extremes import largest
 from trimmer.motion.part import Part, Phase
 from trimmer.motion.part_measures import ContactMeasures, FrictionMeasures
-from trimmer.motion.signals import Signal, share_of_time, while_status
+from trimmer.motion.signals import Signal, Steady, share_of_time, while_status
 
 _SIDES = {PLUS: Phase.UPPER, MINUS: Phase.LOWER, ALWAYS: Phase.EITHER}
 _OTHER_SIDE = {PLUS: MINUS, MINUS: PLUS, RELEASED_PLUS: RELEASED_MINUS, RELEASED_MINUS: RELEASED_PLUS}
@@ -66,23 +65,24 @@ def contact_measures(course: Course, part: int, periods: int) -> ContactMeasures
     made = (course.log.part == part) & (course.log.kind == CONTACT_MADE)
     speeds = abs(course.log.state[made] @ modes.system.machine.contact_rate[part])
     share = share_of_time(course, while_status(course, part, PUSHING))
-    largest = max(abs(each) for each in extremes(course, contact_force(modes, part)))
-    return ContactMeasures(len(speeds) / periods, tuple(speeds.tolist()), largest, share, 0.0)
+    force = largest(course, contact_force(modes, part))
+    return ContactMeasures(len(speeds) / periods, tuple(speeds.tolist()), force, share, 0.0)
 
 
 def wall_measures(course: Course, number: int, periods: int) -> ContactMeasures:
     """Return what a wall, by its number, does over a motion; forces are those at rest."""
-    part, log = course.modes.system.machine.first_wall + number, course.log
+    machine, log = course.modes.system.machine, course.log
+    part = machine.first_wall + number
     hit = np.flatnonzero((log.part == part) & (log.kind == IMPACT)).tolist()
     resting = while_status(course, part, (RESTS,))
-    largest = 0.0
-    if resting.any():
-        held = hold_forces(course, course.nodes.rows, course.nodes.states)
-        largest = float(held[:, len(course.modes.system.machine.kinetic) + number].max())
+    held = HoldForce(
+        course.modes, len(machine.kinetic) + number, Steady(np.zeros(course.modes.system.layout.size))
+    )
+    force = largest(course, held) if resting.any() else 0.0
     speeds = tuple(impact_at(course, row)[0] for row in hit)
     completed = int(((log.part == part) & (log.kind == COMPLETED)).sum())
     return ContactMeasures(
-        len(hit) / periods, speeds, largest, share_of_time(course, resting), completed / periods
+        len(hit) / periods, speeds, force, share_of_time(course, resting), completed / periods
     )
 
 
