@@ -159,6 +159,10 @@ def admissible_split(
     """
     walls = np.zeros(len(limits), dtype=bool) if pushing is None else pushing
     shares = _shares_within(directions, limits, forces, walls)
+    if shares is None and walls.any():
+        # Beside forces of walls that are far larger rounding hides what frictions can hold.
+        limits = np.where(walls, abs(forces).max(), limits)
+        shares = _shares_within(directions, limits, forces, walls)
     if walls.any():
         return None if shares is None else np.maximum(shares, np.where(walls, 0.0, -1.0)) * limits
     if shares is None:

@@ -218,16 +218,17 @@ def test_a_slide_is_held_by_friction_and_wall_together_until_both_let_go():
     assert motion.energy.residual < 1e-12
 
 
-def test_a_body_between_two_walls_without_room_stays():
-    held = Mechanism(
-        {"body": Body(1.0)},
-        frequency=1.0,
-        forces={"push": Force("body", 0.0, 3.0)},
-        walls={"right": Wall(("ground", "body"), 0.5), "left": Wall(("body", "ground"), 0.5)},
-    )
+@pytest.mark.parametrize(("push", "rubs"), [(3.0, 0.0), (2e4, 0.0), (2e4, 0.3)])
+def test_a_body_between_two_walls_without_room_stays_and_neither_pulls(push, rubs):
+    walls = {"right": Wall(("ground", "body"), 0.5), "left": Wall(("body", "ground"), 0.5)}
+    rubbing, pushing = {"rail": Friction(("ground", "body"), rubs)}, {"push": Force("body", 0.0, push)}
+    held = Mechanism({"body": Body(1.0)}, frequency=1.0, forces=pushing, walls=walls, frictions=rubbing)
     motion = simulate(held, 2.0)
-    assert last(motion) == pytest.approx([0.0, 0.0], abs=0.0)
-    assert not motion.events
+    assert last(motion) == pytest.approx([0.0, 0.0], abs=0.0) and not motion.events
+    forces = motion.flow.forces(motion.course, np.array([0.25, 0.75]))
+    pushes = np.append(forces["right"], forces["left"])
+    assert pushes == pytest.approx([push, 0.0, 0.0, push], abs=1.01 * rubs + 1e-9)
+    assert respond(held).motions[0].contacts["right"].largest_force == pytest.approx(max(pushes), rel=1e-12)
 
 
 @pytest.mark.parametrize(
