@@ -9,9 +9,7 @@ from trimmer.command_line.output_options import add_file_option
 
 def _configure(parser: ArgumentParser) -> None:
     add_file_option(
-        parser,
-        "--output",
-        "file to write (default: print it); an existing file is kept unless it is empty",
+        parser, "--output", "file to write (default: print it); an existing file is kept unless it is empty"
     )
 
 

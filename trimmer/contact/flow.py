@@ -10,10 +10,7 @@ import numpy as np
 
 from trimmer.arrays import Complexes, Reals
 from trimmer.contact.machine.machine import machine_of
-from trimmer.contact.machine.statuses import (
-    CONTACT_MADE,
-    IMPACT,
-)
+from trimmer.contact.machine.statuses import CONTACT_MADE, IMPACT
 from trimmer.contact.modes.system import MechanismSystem
 from trimmer.contact.readouts.impacts import grazed_walls, impact_at
 from trimmer.contact.readouts.outputs import forces_at, outputs_of

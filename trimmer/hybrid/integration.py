@@ -145,13 +145,7 @@ def _note(reached: Reals, done: int, row: int, mode: int, time: float, late: flo
 def _entry(sources: bytes) -> Callable[..., tuple[int, _Reached]]:  # noqa: C901, PLR0915
     # One function and not two within each other: of those that are compiled into another each is copied.
     def entry(  # noqa: C901, PLR0915
-        tables: Tables,
-        rows: Rows | None,
-        clock: Clock | None,
-        work: Work,
-        log: Log,
-        place: Place,
-        task: Task,
+        tables: Tables, rows: Rows | None, clock: Clock | None, work: Work, log: Log, place: Place, task: Task
     ) -> tuple[int, _Reached]:
         sources  # noqa: B018
         done, row, mode, time, steps_left, fired, jumped, ticks = place

@@ -192,14 +192,7 @@ def _falls_with(tables: Tables, mode: int, fired: int, state: Reals, rates: Real
 
 @merged
 def met(  # noqa: PLR0913
-    tables: Tables,
-    resets: Reals | None,
-    log: Log,
-    row: int,
-    last: int,
-    fired: int,
-    reset: int,
-    room: Room,
+    tables: Tables, resets: Reals | None, log: Log, row: int, last: int, fired: int, reset: int, room: Room
 ) -> bool:
     """Write the states and rates before and after an event; return False if it is not the only one.
 

@@ -6,14 +6,7 @@ from trimmer.arrays import Reals
 from trimmer.hybrid.compilation import inlined, merged
 from trimmer.hybrid.decaying_root import UNSURE, decaying_root
 from trimmer.hybrid.first_root import NOWHERE, ROUNDING, first_root
-from trimmer.hybrid.linear_combination import (
-    all_above,
-    any_below,
-    combine,
-    combined_moduli,
-    unsigned,
-    within,
-)
+from trimmer.hybrid.linear_combination import all_above, any_below, combine, combined_moduli, unsigned, within
 from trimmer.hybrid.series import COUNT
 from trimmer.hybrid.sparse import Rows, coefficient, expand, modulus_of, write_terms
 from trimmer.hybrid.tables import Tables

@@ -132,11 +132,7 @@ def stated_motion(course: Course, flow: Flow) -> dict[str, Any]:
         motion["about"] += EVENLY
     equations = _rates(seen, rows, whole, count)
     told_once(motion, equations)
-    return {
-        "motion": motion,
-        "equations": {**equations, "forcing": [1.0], "period": None},
-        "stable": None,
-    }
+    return {"motion": motion, "equations": {**equations, "forcing": [1.0], "period": None}, "stable": None}
 
 
 def motion_rows(course: Course, flow: Flow) -> list[tuple[int, int]]:

@@ -232,11 +232,7 @@ def trials_of(
 
 
 def _computed(
-    inputs: SampleInputs,
-    done: dict[int, Trial],
-    runner: Runner | None,
-    path: Path | None,
-    quiet: bool,
+    inputs: SampleInputs, done: dict[int, Trial], runner: Runner | None, path: Path | None, quiet: bool
 ) -> Iterator[tuple[int, Trial]]:
     """Yield the samples that are left as they come, behind a progress bar, and keep them in the file."""
     left = [number for number in np.flatnonzero(inputs.possible).tolist() if number not in done]

@@ -5,13 +5,7 @@ import math
 from report.design.pictures import important
 from report.design.quantities import percent, quantity_words, shown, written
 from report.design.tables.judged import DASH, Rows
-from report.design.words.phrases import (
-    capital,
-    count,
-    counted_in,
-    kind_words,
-    measure_words,
-)
+from report.design.words.phrases import capital, count, counted_in, kind_words, measure_words
 from trimmer.design.analysis.linear import LinearState
 from trimmer.design.analysis.spectrum import LineKind, OutputLine, OutputSpectrum
 from trimmer.design.design import Design

@@ -84,8 +84,7 @@ def answer(known: Evidence) -> Observed:
         "wide seats are not reached", (float(np.ptp(seats[-2:, 1])) < 1e-6, 2 * seats[-1, 3] < seats[-1, 0])
     )
     yield so(
-        "changes of the stroke and of the motor",
-        (0 < 1 - wide[4] / tight[4] < 0.1, most < 0.1, calm[5] > 0),
+        "changes of the stroke and of the motor", (0 < 1 - wide[4] / tight[4] < 0.1, most < 0.1, calm[5] > 0)
     )
 
 

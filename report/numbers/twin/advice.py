@@ -249,11 +249,7 @@ def climbed(searched: Searched) -> Searched:
 
 
 def _climb(
-    line: Advice,
-    number: int,
-    worst: Tried,
-    tried: dict[tuple[float, ...], Tried],
-    draw: np.random.Generator,
+    line: Advice, number: int, worst: Tried, tried: dict[tuple[float, ...], Tried], draw: np.random.Generator
 ) -> None:
     """Go from a motion nearer to a bound, as long as each length of the moves leads on; add what is tried."""
     low, high = np.array(list(line.over.values())).T

@@ -85,8 +85,7 @@ def friction_(known: Evidence) -> Observed:
         {last.wear:.1f} W to it. It exchanges chaos for a stronger, regular vibration.
     """)
     yield so(
-        "motor's acceleration rises with each step",
-        tuple(np.diff([c.motor for c in numbers.no_gap]) > 0),
+        "motor's acceleration rises with each step", tuple(np.diff([c.motor for c in numbers.no_gap]) > 0)
     )
     yield so("stroke falls with each step", tuple(np.diff([c.peak_to_peak for c in numbers.no_gap]) < 0))
 

@@ -10,15 +10,7 @@ import pytest
 import scipy.linalg
 import scipy.optimize
 
-from trimmer import (
-    ClosedLoop,
-    Feedback,
-    Relay,
-    TrimmerParameters,
-    ViscousBacklash,
-    periodic_orbits,
-    simulate,
-)
+from trimmer import ClosedLoop, Feedback, Relay, TrimmerParameters, ViscousBacklash, periodic_orbits, simulate
 from trimmer.elements import CoulombFriction, Element, FrictionBacklash, InertiaBacklash
 from trimmer.errors import OrbitNotFoundWarning
 from trimmer.linear import InputChannels, pin_model

@@ -14,16 +14,7 @@ from trimmer.arrays import Integers, Reals
 from trimmer.hybrid.clock import TICKED, instant_of
 from trimmer.hybrid.compilation import compiled, kept, merged, sources
 from trimmer.hybrid.linear_combination import combine, copy, evaluate_terms, unsigned
-from trimmer.hybrid.propagation import (
-    SEVERAL,
-    Room,
-    falling,
-    fly,
-    is_decided,
-    met,
-    parted,
-    reset_at,
-)
+from trimmer.hybrid.propagation import SEVERAL, Room, falling, fly, is_decided, met, parted, reset_at
 from trimmer.hybrid.tables import NO_RESET, Tables
 from trimmer.hybrid.work import Log
 
@@ -183,14 +174,7 @@ def _jump(
 
 def _entry(sources: bytes) -> Callable[..., int]:
     def entry(  # noqa: PLR0913
-        tables: Tables,
-        slopes: Slopes,
-        log: Log,
-        end: float,
-        row: int,
-        both: Reals,
-        room: Room,
-        terms: Reals,
+        tables: Tables, slopes: Slopes, log: Log, end: float, row: int, both: Reals, room: Room, terms: Reals
     ) -> int:
         sources  # noqa: B018
         rows, size = log.start.size, both.shape[1]

@@ -13,9 +13,7 @@ import numpy as np
 from trimmer.arrays import Reals
 from trimmer.branches.period_maps.value_flow import CHANGES, Slopes, changing, flow_on
 from trimmer.hybrid.clock import TICKED, Clock, carried
-from trimmer.hybrid.propagation import (
-    room_for,
-)
+from trimmer.hybrid.propagation import room_for
 from trimmer.hybrid.system import System
 from trimmer.hybrid.tables import NO_RESET, Modes, Tables
 from trimmer.hybrid.taylor import DEGREE

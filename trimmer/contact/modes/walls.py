@@ -35,12 +35,7 @@ SHORTEST = 1e-9  # Share of the drive's period, or of 1 s, below which what is l
 
 
 def strike(
-    machine: Machine,
-    statuses: tuple[int, ...],
-    state: Reals,
-    wall: int,
-    period: float,
-    held: tuple[int, ...],
+    machine: Machine, statuses: tuple[int, ...], state: Reals, wall: int, period: float, held: tuple[int, ...]
 ) -> Decision:
     """Return what an impact on a wall does, and all that follows from it at the same instant.
 

@@ -57,13 +57,7 @@ class StepEnd:
 
 
 def followed(
-    flow: MechanismFlow,
-    output: str,
-    at: float,
-    wanted: float,
-    *,
-    cycle: Orbit | None,
-    rests: bool | None,
+    flow: MechanismFlow, output: str, at: float, wanted: float, *, cycle: Orbit | None, rests: bool | None
 ) -> StepEnd:
     """Follow a motion from its start through a step until it has settled, or the wait is over.
 
