@@ -130,7 +130,8 @@ def ends_of(mechanism: Subject, place: str, start: float | str, stop: float | st
     """
     begin, end = (mechanism.with_value(place, each).value(place) for each in (start, stop))
     if begin == end:
-        raise MechanismError(f"{place}: the interval has no length, from {begin:.10g} to {end:.10g}")
+        told = f"{place}: the interval has no length, from {begin:.10g} to {end:.10g}"
+        raise MechanismError(told, place=parse_place(place))
     require_continuous(place)
     return begin, end
 

@@ -110,7 +110,7 @@ def with_value_at(loop: Loop, place: str, value: float | str) -> Loop:
         number = quantity(value, unit or "1") if isinstance(value, str) else finite_number(place, value)
         changed: Loop = _changed(loop, names, number)
     except (UnitError, ValueError) as error:
-        raise LoopError(f"{place_text(names)} = {shown_value(value)}: {error}") from None
+        raise LoopError(f"{place_text(names)} = {shown_value(value)}: {error}", place=names) from None
     return changed
 
 
@@ -164,5 +164,5 @@ def _found(loop: Loop, place: str) -> tuple[Place, str]:
     require_instance("place", place, str, "a dotted place such as element.gap")
     names, known = parse_place(place), numbers_of(loop)
     if names not in known:
-        raise LoopError(f"there is no number at {place_text(names)}; {advice(names, known)}")
+        raise LoopError(f"there is no number at {place_text(names)}; {advice(names, known)}", place=names)
     return names, known[names]

@@ -279,7 +279,8 @@ def changed(mechanism: Mechanism, place: tuple[str, ...], content: Any, value: f
 
         own = [each.place for each in problems] == [place]
         raise MechanismError(
-            as_message(problems, "the mechanism" if own else f"with {place_text(place)} = {value}")
+            as_message(problems, "the mechanism" if own else f"with {place_text(place)} = {value}"),
+            place=place,
         )
     made = object.__new__(Mechanism)
     vars(made).update(contents)

@@ -69,7 +69,7 @@ def value_at(mechanism: Mechanism, place: str) -> float:
     """Return the number at a place, SI units."""
     names, _ = _found(mechanism, place)
     if names == ("frequency",) and mechanism.frequency is None:
-        raise MechanismError("frequency: the mechanism has none; it moves by itself")
+        raise MechanismError("frequency: the mechanism has none; it moves by itself", place=names)
     if names[0] == "start" and names[1] not in mechanism.start:
         return 0.0
     *before, last = _steps(mechanism, names)
@@ -173,10 +173,14 @@ def _number(names: Place, value: float | str, wanted: NumberField) -> float:
             value = wanted.read(value)
         except UnitError as error:
             reason = f'{error}; "{wanted.example}" would do'
-            raise MechanismError(f"{place_text(names)} = {shown_value(value)}: {reason}") from None
+            raise _unusable(names, value, reason) from None
     if reason := wanted.reason_against(value):
-        raise MechanismError(f"{place_text(names)} = {shown_value(value)}: {reason}")
+        raise _unusable(names, value, reason)
     return wanted.taken(value)
+
+
+def _unusable(names: Place, value: float | str, reason: str) -> MechanismError:
+    return MechanismError(f"{place_text(names)} = {shown_value(value)}: {reason}", place=names)
 
 
 def _found(mechanism: Mechanism, place: str) -> tuple[Place, NumberField]:
@@ -185,7 +189,9 @@ def _found(mechanism: Mechanism, place: str) -> tuple[Place, NumberField]:
     if (quantity := _quantity(mechanism, names)) is not None:
         return names, quantity
     if _is_left_out(mechanism, names):
-        raise MechanismError(f"{place_text(names)} is not given; write it into the file before it is changed")
+        raise MechanismError(
+            f"{place_text(names)} is not given; write it into the file before it is changed", place=names
+        )
     known = quantities(mechanism)
     raise MechanismError(f"there is no number at {place_text(names)}; {advice(names, known)}", place=names)
 

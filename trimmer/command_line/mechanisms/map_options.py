@@ -8,6 +8,7 @@ from typing import TypeAlias
 
 from trimmer.command_line.number_options import number_in
 from trimmer.command_line.parser import OptionError
+from trimmer.errors import TrimmerError
 from trimmer.motion.subject import Subject
 
 FORM = "PLACE=A:B:N"
@@ -117,9 +118,11 @@ def chosen_measures(subject: Subject, texts: Sequence[str]) -> Targets:
     found: Targets = {}
     for text in texts:
         key, equals, target = map(str.strip, text.partition("="))
-        measure = chosen_measure(flow_of(subject), key)
         try:
+            measure = chosen_measure(flow_of(subject), key)
             found[measure.key] = number_in(target, measure.unit) if equals else None
         except UnitError as error:
             raise OptionError(f"--measure {text}: {target!r} {error}") from error
+        except TrimmerError as error:
+            raise OptionError(f"--measure {text}: {error}") from error
     return found

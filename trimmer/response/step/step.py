@@ -215,20 +215,25 @@ def _only(mechanism: Mechanism) -> str:
     if not steps:
         raise MechanismError(f"nothing steps; {there}", place=("references",))
     if len(steps) > 1:
-        raise MechanismError(f"{listed(steps)} are steps; choose one (--reference {steps[0]})")
+        told = f"{listed(steps)} are steps; choose one (--reference {steps[0]})"
+        raise MechanismError(told, place=("references",))
     return steps[0]
 
 
 def _step(mechanism: Mechanism, name: str) -> Step:
     references, there = mechanism.references, _steps(mechanism)[1]
     if name not in references:
-        raise MechanismError(f"there is no reference {name!r}; {near_match(name, references) or there}")
+        told = f"there is no reference {name!r}; {near_match(name, references) or there}"
+        raise MechanismError(told, place=("references",))
     reference = references[name]
     if not isinstance(reference, StepReference):
-        raise MechanismError(f"references.{name} is a {reference.word} and no step; {there}")
+        raise MechanismError(
+            f"references.{name} is a {reference.word} and no step; {there}", place=("references", name)
+        )
     if reference.step == 0:
         raise MechanismError(
-            f"references.{name}.step is 0, so that there is nothing to follow; give its size"
+            f"references.{name}.step is 0, so that there is nothing to follow; give its size",
+            place=("references", name, "step"),
         )
     return Step(reference.step, reference.at)
 
@@ -238,11 +243,14 @@ def _follower(mechanism: Mechanism, reference: str, name: str | None) -> str:
     followers = [each for each, one in mechanism.controllers.items() if one.reference == reference]
     if not followers:
         raise MechanismError(
-            f'no controller follows {reference!r}; write reference = "{reference}" into one of [controllers]'
+            f'no controller follows {reference!r}; write reference = "{reference}" into one of [controllers]',
+            place=("controllers",),
         )
     if name is None and len(followers) > 1:
-        raise MechanismError(f"{listed(followers)} follow {reference!r}; choose one (--controller)")
+        told = f"{listed(followers)} follow {reference!r}; choose one (--controller)"
+        raise MechanismError(told, place=("controllers",))
     if name is not None and name not in followers:
         there = near_match(name, followers) or f"{listed(followers)} does"
-        raise MechanismError(f"no controller {name!r} follows {reference!r}; {there}")
+        told = f"no controller {name!r} follows {reference!r}; {there}"
+        raise MechanismError(told, place=("controllers",))
     return name or followers[0]
