@@ -12,7 +12,9 @@ from trimmer.proof.outcome import LIMIT
 
 def _configure(parser: ArgumentParser) -> None:
     add_input(parser, "file", "proof, a JSON file that Proof.write has written")
-    add_positive(parser, "--limit", "s", f"give up after that time, undecided (default: {LIMIT:g})")
+    add_positive(
+        parser, "--limit", "s", f"give up after that time, such as 30s, undecided (default: {LIMIT:g})"
+    )
 
 
 def _run(arguments: Namespace) -> int:

@@ -11,26 +11,35 @@ _DIGITS = len(str(MOST)) + 1
 
 
 def positive(unit: str) -> Callable[[str], float]:
-    """Make the type of an option whose values are positive finite numbers, in a unit."""
-    return _number("positive", f" ({unit})", lambda value: 0 < value < math.inf)
+    """Make the type of an option whose values are positive finite numbers, SI or with their unit."""
+    return _number("positive", unit, lambda value: 0 < value < math.inf)
 
 
 def finite(unit: str) -> Callable[[str], float]:
-    """Make the type of an option whose values are finite numbers, in a unit."""
-    return _number("finite", f" ({unit})" if unit else "", math.isfinite)
+    """Make the type of an option whose values are finite numbers, SI or with their unit."""
+    return _number("finite", unit, math.isfinite)
 
 
 def _number(kind: str, unit: str, fits: Callable[[float], bool]) -> Callable[[str], float]:
     def number(text: str) -> float:
         try:
-            value = float(text)
+            value = _of_unit(text, unit)
         except ValueError:
             value = math.nan
         if not fits(value):
-            raise ArgumentTypeError(f"{shown_value(text)} is not a {kind} number{unit}")
+            raise ArgumentTypeError(
+                f"{shown_value(text)} is not a {kind} number{f' ({unit})' if unit else ''}"
+            )
         return of_usual_size(value, text)
 
     return number
+
+
+def _of_unit(text: str, unit: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        return number_in(text, unit)
 
 
 def add_count(

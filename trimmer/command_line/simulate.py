@@ -10,6 +10,7 @@ from trimmer.command_line.file_options import PICTURES, add_overwrite_option, ch
 from trimmer.command_line.loops.loop_options import unusable
 from trimmer.command_line.loops.motion_options import start_of_loop
 from trimmer.command_line.mechanisms.simulation import check_periods, draw, mechanism_motion
+from trimmer.command_line.number_options import add_positive, positive
 from trimmer.command_line.output_options import add_file_option, add_plot_option
 from trimmer.command_line.parser import (
     ENDED_EARLY,
@@ -18,17 +19,23 @@ from trimmer.command_line.parser import (
     is_given,
     note,
     refuse_unused,
-    require_positive,
     tell,
 )
 from trimmer.command_line.patience import patience
-from trimmer.command_line.system_options import SOURCES, add_start_options, add_system_options, chosen_system
+from trimmer.command_line.system_options import (
+    SOURCES,
+    add_start_options,
+    add_system_options,
+    chosen_start,
+    chosen_system,
+)
 from trimmer.errors import TrimmerError
 from trimmer.files import CSV, WAV
 from trimmer.messages import near_or_all
 
 if TYPE_CHECKING:
     from trimmer.loops.motion import LoopMotion
+    from trimmer.loops.trimmer_loop import TrimmerLoop
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.response.simulation.motion import MechanismMotion
     from trimmer.signals.signal import Signal
@@ -41,16 +48,17 @@ def _configure(parser: ArgumentParser) -> None:
     add_system_options(parser)
     add_start_options(parser)
     add_plot_option(parser, "the motion with contact and stick, and of a mechanism its phase plane,")
-    parser.add_argument(
+    add_positive(
+        parser,
         "--duration",
-        type=float,
-        metavar="S",
-        help=f"length of the motion, s (default: {LEAST:g}, or {PERIODS} periods of a slow drive)",
+        "s",
+        f"length of the motion, s (default: {LEAST:g}, or {PERIODS} periods of a slow drive, or without a "
+        "drive of the slowest mode that swings)",
     )
     parser.add_argument(
         "--sample-rate",
         "--rate",
-        type=float,
+        type=positive("Hz"),
         default=20_000.0,
         metavar="HZ",
         help="samples per second in --csv and --wav (default: 20000); the simulation itself needs none",
@@ -64,9 +72,7 @@ def _configure(parser: ArgumentParser) -> None:
 
 
 def _run(arguments: Namespace) -> int:
-    require_positive(arguments, "sample_rate", "Hz")
     if arguments.duration is not None:
-        require_positive(arguments, "duration", "s")
         check_periods(arguments.duration, None)
     if arguments.csv is None and arguments.wav is None:
         refuse_unused(arguments, ["sample_rate"], "--csv or --wav")
@@ -91,7 +97,7 @@ def _moved(arguments: Namespace) -> tuple[LoopMotion | MechanismMotion, str]:
     """Return the motion, and what is told of it."""
     system = chosen_system(arguments, ("displacement",))
     if arguments.duration is None:
-        arguments.duration = max(LEAST, PERIODS / system.frequency if system.frequency else 0.0)
+        arguments.duration = _usual_duration(arguments, system)
     _check_samples(arguments)
     from trimmer.command_line.loops import motion_text as of_loop
     from trimmer.command_line.mechanisms import motion_text as of_mechanism
@@ -112,6 +118,25 @@ def _moved(arguments: Namespace) -> tuple[LoopMotion | MechanismMotion, str]:
     except ValueError as error:
         raise unusable(arguments, error) from error
     return motion, (of_loop.as_json if arguments.json else of_loop.as_text)(motion)
+
+
+def _usual_duration(arguments: Namespace, system: Mechanism | TrimmerLoop) -> float:
+    """Return the length of a motion that is not given, s; say so where a mode sets it."""
+    if system.frequency:
+        return max(LEAST, PERIODS / system.frequency)
+    from trimmer.contact.flow import MechanismFlow
+    from trimmer.loops.flow import LoopFlow
+    from trimmer.mechanism.mechanism import Mechanism
+    from trimmer.motion.time_scale import slowest_met
+    from trimmer.response.starts import instant_of
+
+    flow = MechanismFlow(system) if isinstance(system, Mechanism) else LoopFlow(system)
+    flow.timed(instant_of(flow, chosen_start(arguments, system)), LEAST)
+    duration = PERIODS * slowest_met(flow, decaying=False)
+    if duration <= LEAST:
+        return LEAST
+    note(f"{duration:.4g} s are followed, {PERIODS} periods of the slowest mode that swings (see --duration)")
+    return duration
 
 
 def _check_output(arguments: Namespace, mechanism: Mechanism) -> None:

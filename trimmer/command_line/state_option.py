@@ -38,11 +38,12 @@ def chosen_state(texts: Sequence[str], system: Mechanism | Loop) -> dict[str, tu
     """
     if not texts:
         return None
+    from trimmer.contact.flow import MechanismFlow
     from trimmer.mechanism.mechanism import Mechanism
     from trimmer.response.flows import flow_of
 
     what, example = OF_MECHANISM if isinstance(system, Mechanism) else OF_LOOP
-    units = flow_of(system).axis_units
+    units = (MechanismFlow(system) if isinstance(system, Mechanism) else flow_of(system)).axis_units
     found: dict[str, tuple[float, ...]] = {}
     for text in texts:
         name, equals, written = text.rpartition("=")

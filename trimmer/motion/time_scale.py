@@ -18,10 +18,10 @@ ROUNDING = 64 * float(np.finfo(float).eps)
 """Share of each entry by which rounding changes a matrix; its condition carries a zero eigenvalue so far."""
 
 
-def slowest_period(matrix: Reals, *, growing: bool = True) -> float:
+def slowest_period(matrix: Reals, *, growing: bool = True, decaying: bool = True) -> float:
     """Return the period of the slowest mode of a flow of states, (n, n), s; 0 if nothing moves.
 
-    Unless ``growing``, those are left out that grow more than they swing.
+    Unless ``growing``, or ``decaying``, those are left out that grow, or decay, more than they swing.
 
     What stays makes eigenvalues that are zero together, as a place and a velocity that stick do. Rounding
     parts these by its root: each is held against its condition (Golub, Van Loan, Matrix Computations, 7.2).
@@ -34,6 +34,8 @@ def slowest_period(matrix: Reals, *, growing: bool = True) -> float:
     moving &= moduli * angles > ROUNDING * (abs(left) * (abs(matrix) @ abs(right))).sum(axis=0)
     if not growing:
         moving &= values.real <= abs(values.imag)
+    if not decaying:
+        moving &= -values.real <= abs(values.imag)
     return float(2 * np.pi / moduli[moving].min(initial=np.inf))
 
 
@@ -43,10 +45,15 @@ def time_scale(flow: Flow, instant: Instant) -> float:
     return slowest_period(mode.flow[: flow.size, : flow.size]) or 1.0
 
 
-def slowest_met(flow: Flow) -> float:
-    """Return the period of the slowest mode that was met and does not just grow, s; 0 if there is none."""
+def slowest_met(flow: Flow, *, decaying: bool = True) -> float:
+    """Return the period of the slowest mode that was met and does not just grow, s; 0 if there is none.
+
+    Unless ``decaying``, it is one that swings.
+    """
     met = (flow.modes[number].flow for number in range(len(flow.modes.statuses)))
-    return max(slowest_period(each[: flow.size, : flow.size], growing=False) for each in met)
+    return max(
+        slowest_period(each[: flow.size, : flow.size], growing=False, decaying=decaying) for each in met
+    )
 
 
 def is_brief(flow: Flow, duration: float) -> bool:

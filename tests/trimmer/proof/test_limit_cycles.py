@@ -214,7 +214,7 @@ def test_the_proofs_that_are_kept_hold(path: Path) -> None:
 @pytest.mark.parametrize("name", ["thesis-limit-cycles", "thesis-stable-orbit"])
 def test_what_is_not_verified_in_the_time_is_not_refuted(name: str, capsys) -> None:
     path = str(next(each for each in KEPT if each.stem == name))
-    assert main(["check", path, "--limit", "1e-6"]) == 3
+    assert main(["check", path, "--limit", "1 us"]) == 3
     told = capsys.readouterr()
     assert "not verified, and not refuted: nothing was told within the limit of 1e-06 s" in told.err
     assert not told.out
