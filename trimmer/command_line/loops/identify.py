@@ -5,14 +5,15 @@ from argparse import ArgumentParser, Namespace
 from trimmer.command_line.command import Command, uses
 from trimmer.command_line.file_options import PICTURES, check_targets, show
 from trimmer.command_line.loops.loop_options import add_loop_options, linear_part
+from trimmer.command_line.number_options import positive
 from trimmer.command_line.output_options import add_output_options, write_picture
-from trimmer.command_line.parser import OptionError, require_positive
+from trimmer.command_line.parser import OptionError
 
 
 def _configure(parser: ArgumentParser) -> None:
-    parser.add_argument("--gap", type=float, metavar="M", required=True, help="total clearance, m")
+    parser.add_argument("--gap", type=positive("m"), metavar="M", required=True, help="total clearance, m")
     parser.add_argument(
-        "--frequency", type=float, metavar="HZ", required=True, help="frequency of the limit cycle, Hz"
+        "--frequency", type=positive("Hz"), metavar="HZ", required=True, help="frequency of the cycle, Hz"
     )
     parser.add_argument(
         "--uncertainty",
@@ -29,8 +30,6 @@ def _run(arguments: Namespace) -> int:
     from trimmer.balance.identification import identify_time_constant
     from trimmer.command_line.loops.limit_cycles_text import identified_as_json, identified_as_text
 
-    require_positive(arguments, "gap", "m")
-    require_positive(arguments, "frequency", "Hz")
     if not 0 <= arguments.uncertainty < arguments.frequency:
         raise OptionError(
             f"--uncertainty {arguments.uncertainty:g}: must be zero or positive, less than --frequency (Hz)"
