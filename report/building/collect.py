@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from pkgutil import walk_packages
+from typing import TypeVar
 
 from report.building.thesis import THESIS
 from report.document.subject import Subject
@@ -38,25 +39,26 @@ def collect(inventory: Mapping[str, Statement], subject: Subject = THESIS) -> Re
         ClaimIdError: if the inventory lacks an id, if one stands twice, or if a statement has no claim.
     """
     found = list(_found(subject.claims))
-    claims = by_id([each for each in found if isinstance(each[1], ClaimRecord)], inventory, subject)
-    figures = by_id([each for each in found if isinstance(each[1], FigureRecord)], inventory, subject)
+    judged = [(module, record) for module, record in found if isinstance(record, ClaimRecord)]
+    claims = by_id(judged, inventory, subject)
+    drawn = [(module, record) for module, record in found if isinstance(record, FigureRecord)]
+    figures = by_id(drawn, inventory, subject)
     if lacking := [claim_id for claim_id in inventory if claim_id not in claims]:
         raise ClaimIdError(
             f"{', '.join(lacking)}: in the inventory, but without a record; write one in "
             f"{subject.records} (of two functions with one name only the second is left)"
         )
     groups: dict[str, list[ClaimRecord]] = {}
-    for module, record in found:
-        if isinstance(record, ClaimRecord):
-            groups.setdefault(module, []).append(record)
-    drawn = (figures[claim_id] for claim_id in inventory if claim_id in figures)
+    for module, record in judged:
+        groups.setdefault(module, []).append(record)
     return Records(
         {module: tuple(group) for module, group in groups.items()},
-        tuple(record for record in drawn if isinstance(record, FigureRecord)),
+        tuple(figures[claim_id] for claim_id in inventory if claim_id in figures),
     )
 
 
 AnyRecord = ClaimRecord | FigureRecord
+Record = TypeVar("Record", ClaimRecord, FigureRecord)
 
 
 def _found(package: str) -> Iterator[tuple[str, AnyRecord]]:
@@ -70,14 +72,14 @@ def _found(package: str) -> Iterator[tuple[str, AnyRecord]]:
 
 
 def by_id(
-    found: Iterable[tuple[str, AnyRecord]], inventory: Mapping[str, Statement], subject: Subject = THESIS
-) -> dict[str, AnyRecord]:
+    found: Iterable[tuple[str, Record]], inventory: Mapping[str, Statement], subject: Subject = THESIS
+) -> dict[str, Record]:
     """Return records of one kind, each given with the name of its module, by their ids.
 
     Raises:
         ClaimIdError: naming id and modules, if the inventory lacks an id or two records share one.
     """
-    records: dict[str, AnyRecord] = {}
+    records: dict[str, Record] = {}
     homes: dict[str, str] = {}
     for module, record in found:
         if record.id not in inventory:

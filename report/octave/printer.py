@@ -79,8 +79,6 @@ def broken(code: str, indent: int = INDENT) -> str:
     while margin + len(rest) > LINE_LENGTH:
         possible = [match.start() for match in _BREAKABLE.finditer(rest)]
         short_enough = [place for place in possible if margin + place + len(CONTINUATION) <= LINE_LENGTH]
-        if not possible:
-            break
         place = max(short_enough or possible[:1], key=lambda end: (-_depth(rest[:end]), end))
         lines.append(" " * margin + rest[:place] + CONTINUATION)
         rest, margin = rest[place + 1 :], indent + INDENT

@@ -53,7 +53,7 @@ def drives_of(mechanism: Mechanism) -> Drives:
     frequency = drive_frequency(mechanism)
     if frequency is None:
         return Drives(1, {})
-    ratios = {name: mechanism.drives[name] / frequency for name in used if name is not None}
+    ratios = {name: mechanism.drives[name] / frequency for name in used}
     sines = {_of_sine(name): each.frequency for name, each in sines_in(mechanism).items()}
     clocks = {f"controllers.{name}": each for name, each in clocks_in(mechanism).items()}
     ratios |= {name: each / frequency for name, each in (sines | clocks).items() if each != frequency}

@@ -18,7 +18,7 @@ from report.pages.drawing.style import BLACK, DOTTED, LINES, new_figure, panels
 from trimmer import FrictionBacklash, pin_model
 from trimmer.linear import InputChannels
 
-SHOWN_FROM, SHOWN_TIME = 1e-8, 40e-6  # First and last time that is shown of the loop with friction, s
+SHOWN_FROM = 1e-8  # First time that is shown of the loop with friction, s
 EVERY: Final = 5  # One of so many swings is drawn
 LOADS: Final = (0.15, 0.25, 0.5)  # F_c/(k2 b) of the right contours: friction ends the limit cycles at 0.27
 NEAR_MODES: Final = (150.0, 850.0)  # Frequencies of figure 5.23b, Hz
@@ -63,12 +63,11 @@ def friction_and_condition(known: Evidence) -> Figure:
     condition.set(title="block on the output", xlim=(50, 1e5), ylim=(1e-9, 1e3))
     condition.legend(loc="upper right")
     for run, line in zip(known.motion.closed.relay.friction, LINES, strict=False):
-        times = np.geomspace(SHOWN_FROM, min(run.last_turn, SHOWN_TIME), 401)
+        times = np.geomspace(SHOWN_FROM, run.last_turn, 401)
         output = friction_motion(system, run.impulse).output(times)
         label = f"10$^{{{np.log10(run.impulse):.0f}}}$ s"
         motion.plot(1e6 * times, output / output[-1], label=label, **line)
-        if run.last_turn < SHOWN_TIME:
-            motion.plot([1e6 * run.last_turn], [1], "o", color=line["color"], markersize=5)
+        motion.plot([1e6 * run.last_turn], [1], "o", color=line["color"], markersize=5)
     motion.set(xscale="log", xlabel="time [µs]", ylabel="$y$ over its last value")
     motion.set(title="block on the output's velocity", ylim=(0, 1.1))
     motion.legend(loc="upper left", title="impulse over force")
