@@ -201,13 +201,10 @@ def test_walls_whose_impacts_would_not_end_act_together():
 def test_a_slide_is_held_by_friction_and_wall_together_until_both_let_go():
     """Pressed on the wall with 2.5 N at most, it leaves where the pull exceeds the friction of 1 N."""
     slide = Mechanism(
-        {"slide": Body(1.0)},
-        frequency=1.0,
-        frictions={"guide": Friction(("ground", "slide"), 1.0)},
-        forces={"pull": Force("slide", 0.5, 2.0)},
-        walls={"end": Wall(("ground", "slide"), 0.0, gap=0.01)},
+        {"slide": Body(1.0)}, frequency=1.0, frictions={"guide": Friction(("ground", "slide"), 1.0)},
+        forces={"pull": Force("slide", 0.5, 2.0)}, walls={"end": Wall(("ground", "slide"), 0.0, gap=0.01)},
         start={"slide": (0.01, 0.0)},
-    )
+    )  # fmt: skip
     motion = simulate(slide, 1.0)
     angle = np.pi + np.arcsin(1.5 / 2.0)
     assert kinds(motion)[:2] == ["stick ended", "rest ended"]
@@ -318,29 +315,20 @@ def test_derivatives_over_impacts_and_rest_are_those_of_the_motion():
     assert np.column_stack(columns) == pytest.approx(exact, abs=1e-4 * abs(exact).max())
 
 
+TWO = ["period-doubling"]
+
+
 @pytest.mark.parametrize(
     ("begin", "end", "beside", "sides"),
-    quick(
-        [
-            (0.05, 0.14, [], 1),
-            (0.14, 0.06, ["period-doubling"], 1),
-            (0.14, 0.06, ["period-doubling"], 2),
-            (0.17, 0.3, ["fold"], 1),
-        ],
-        0,
-        3,
-    ),
+    quick([(0.05, 0.14, [], 1), (0.14, 0.06, TWO, 1), (0.14, 0.06, TWO, 2), (0.17, 0.3, ["fold"], 1)], 0, 3),
 )
 def test_a_branch_ends_at_the_grazing_of_a_wall(begin, end, beside, sides):
     """Where the linear motion just reaches the wall, from below and from impacts on either side."""
     walls = {"stop": Wall(("ground", "body"), 0.7, gap=1.8), "other": Wall(("body", "ground"), 0.7, gap=1.8)}
     oscillator = Mechanism(
-        {"body": Body(1.0)},
-        frequency=begin,
-        links={"spring": Link(("ground", "body"), 1.0, 0.2)},
-        forces={"push": Force("body", 0.0, 1.0)},
-        walls=dict(list(walls.items())[:sides]),
-    )
+        {"body": Body(1.0)}, frequency=begin, links={"spring": Link(("ground", "body"), 1.0, 0.2)},
+        forces={"push": Force("body", 0.0, 1.0)}, walls=dict(list(walls.items())[:sides]),
+    )  # fmt: skip
     squares = np.roots([1.0, 0.2**2 - 2.0, 1.0 - 1 / 1.8**2])
     expected = np.sqrt(squares) / (2 * np.pi)
     branch = follow(oscillator, "frequency", begin, end)
@@ -352,6 +340,21 @@ def test_a_branch_ends_at_the_grazing_of_a_wall(begin, end, beside, sides):
     # The state there is that of the linear motion, whose amplitude is the gap.
     position, velocity = last_one.state
     assert np.hypot(position, velocity / (2 * np.pi * last_one.value)) == pytest.approx(1.8, rel=1e-8)
+
+
+def test_a_branch_ends_where_a_wall_that_is_struck_is_just_missed_later() -> None:
+    parts = {"air": Link(("crank", "hammer"), 15e3, 20.0), "tip": Link(("ground", "chisel"), 2e5, 300.0)}
+    drill = Mechanism(
+        {"hammer": Body(0.25), "chisel": Body(0.4)}, frequency=40.0, links=parts,
+        pins={"crank": Pin("ground", 8e-3)}, walls={"anvil": Wall(("hammer", "chisel"), 0.5, gap=6e-3)},
+    )  # fmt: skip
+    branch = follow(drill, "pins.crank.amplitude", 3e-3, 14e-3)
+    assert (branch.special[-1].kind.word, branch.special[-1].parts) == ("grazing", ("anvil",))
+    hammer, chisel = branch.special[-1].state.reshape(2, 2).T.tolist()
+    there = replace(drill, start={"hammer": hammer, "chisel": chisel})
+    there = there.with_value("pins.crank.amplitude", branch.special[-1].value * (1 - 1e-9))
+    _, states = (motion := simulate(there, 0.025)).course.at(np.linspace(0.022, 0.025, 30_001))
+    assert len(motion.events) == 1 and (states[:, 1] - states[:, 0]).max() == pytest.approx(6e-3, rel=1e-6)
 
 
 def with_walls(seed: int) -> Mechanism:

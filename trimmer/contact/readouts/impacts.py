@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trimmer.contact.machine.statuses import IMPACT, IMPULSES, RESTS
-from trimmer.motion.extremes import extremes
+from trimmer.motion.extremes import TurningPoints, largest, turning_points
 from trimmer.motion.signals import Steady, while_status
 
 if TYPE_CHECKING:
@@ -95,9 +95,15 @@ def grazed_walls(course: Course) -> tuple[str, ...]:
         if while_status(course, part, (RESTS,)).any():
             continue
         rows = np.flatnonzero((log.part == part) & (log.kind == IMPACT)).tolist()
-        farthest, nearest = extremes(course, distance)
-        fastest = max(map(abs, extremes(course, rate)))
-        slow = any(impact_at(course, row)[0] < np.sqrt(GRAZING) * fastest for row in rows)
-        if slow or (not rows and nearest > -GRAZING * (nearest - farthest)):
+        slow = any(impact_at(course, row)[0] < np.sqrt(GRAZING) * largest(course, rate) for row in rows)
+        if slow or _is_just_missed(turning_points(course, distance), log.start[rows]):
             found.append(name)
     return tuple(found)
+
+
+def _is_just_missed(distance: TurningPoints, impacts: Reals) -> bool:
+    """Say whether a distance comes to just below zero, and back, anywhere but at impacts."""
+    values = distance.values
+    nearest = (values >= np.roll(values, 1)) & (values >= np.roll(values, -1))
+    nearest &= ~np.isin(distance.times, impacts)
+    return bool((values[nearest] > -GRAZING * np.ptp(values)).any())
