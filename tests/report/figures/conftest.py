@@ -17,21 +17,14 @@ from report.twin.figures.loop import loop_branches
 from report.twin.figures.maps import branches_over_gap, friction_map, speed_map
 from report.twin.figures.motion import motions, spectra
 
-TWIN = (
-    friction_map,
-    speed_map,
-    bridge_in_slot,
-    motions,
-    spectra,
-    branches_over_gap,
-    loop_branches,
-    design_limits,
-)
+MAPS = friction_map, speed_map, bridge_in_slot
+TWIN = (*MAPS, motions, spectra, branches_over_gap, loop_branches, design_limits)
 """Figures of the chapter on the twin, which belong to no claim."""
 FUTURE = tuple(each for section in SECTIONS for each in section.items if isinstance(each, FigureRecord))
 """Figures of the answers to section 6.4."""
 STILL = recorded("explorable-still", dict)(make.picture)
-FIGURES = {figure.id: figure for figure in (*collect(read_inventory()).figures, *TWIN, *FUTURE, STILL)}
+FIGURES = {figure.id: figure for figure in (*collect(read_inventory()).figures, *TWIN, *FUTURE)}
+DRAWN = FIGURES | {STILL.id: STILL}
 
 
 @pytest.fixture(scope="session")
@@ -39,7 +32,7 @@ def drawn(evidence):
     """Return a function that draws a figure by its id, with the letters of its panels."""
 
     def draw(figure_id):
-        figure = FIGURES[figure_id].draw(evidence)
+        figure = DRAWN[figure_id].draw(evidence)
         letter_panels(figure)
         return figure
 

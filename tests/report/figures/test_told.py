@@ -5,7 +5,7 @@ import pytest
 
 from report.chapters.chapter_3 import figures as chapter_3
 from report.chapters.chapter_5.figures import loop_motion
-from tests.report.figures.conftest import FIGURES
+from tests.report.figures.conftest import DRAWN
 from tests.report.figures.told import kept, told
 from tests.trimmer.command_line.alike import alike
 
@@ -17,10 +17,10 @@ def line(axes, label):
 
 
 def test_each_figure_is_told():
-    assert list(kept()) == list(FIGURES)
+    assert list(kept()) == list(DRAWN)
 
 
-@pytest.mark.parametrize("figure_id", FIGURES)
+@pytest.mark.parametrize("figure_id", DRAWN)
 def test_it_shows_what_it_showed(figure_id, drawn):
     before, now = kept()[figure_id], list(told(drawn(figure_id)))
     assert len(before) == len(now)

@@ -13,7 +13,7 @@ from matplotlib.lines import Line2D
 
 from report.numbers.evidence import Evidence, gather
 from report.pages.drawing.letters import letter_panels, title_of
-from tests.report.figures.conftest import FIGURES
+from tests.report.figures.conftest import DRAWN
 
 KEPT = Path(__file__).with_suffix(".txt")
 NOTHING = 1e-6  # Share of the largest coordinate below which one is rounding
@@ -89,7 +89,7 @@ def kept() -> dict[str, list[str]]:
 
 
 def _renew(evidence: Evidence) -> None:
-    drawn = {name: record.draw(evidence) for name, record in FIGURES.items()}
+    drawn = {name: record.draw(evidence) for name, record in DRAWN.items()}
     for figure in drawn.values():
         letter_panels(figure)
     KEPT.write_text("".join("\n".join([f"== {n}", *told(each), ""]) for n, each in drawn.items()), "utf-8")
