@@ -13,9 +13,7 @@ from trimmer.motion.measures import Measures
 from trimmer.motion.time_scale import time_scale
 from trimmer.response.by_itself.self_excited import self_excited
 from trimmer.response.results.response import MotionKind
-from trimmer.response.without_events.rest import Rest, at_rest
 
-FROM_REST = 20  # Such periods in which a start from rest shows how far it goes
 FOLLOWED = 200  # Periods of the slowest mode over which is measured what never repeats
 
 
@@ -40,27 +38,15 @@ def dwell_by_itself(flow: Flow, begin: Instant, periods: int | None) -> tuple[Pl
     if orbit is not None:
         plateau = _plateau(MotionKind.PERIODIC, 1, orbit.flow, orbit.course, orbit.measures)
         return replace(plateau, period=orbit.period), _amid(orbit.course)
-    unit = time_scale(flow, begin)
     if found.returns is None:  # No event comes any more, and yet it never repeats.
-        kind, course = MotionKind.TORUS, flow.timed(begin, FOLLOWED * unit)
+        kind, course = MotionKind.TORUS, flow.timed(begin, FOLLOWED * time_scale(flow, begin))
     else:
         kind = MotionKind.CHAOTIC if found.returns.chaotic else MotionKind.UNDECIDED
         course = found.returns.course
-        if _stays(flow, course, unit):
-            still = Rest(flow, replace(course.end, phase=0.0), family=True)
-            return _plateau(MotionKind.REST, None, flow, still.course, still.measures), still.instant
     seen, travelling = flow.travelling(course)
     plateau = _plateau(kind, None, seen, travelling, Measures(travelling, seen, 1, 1))
     outputs = {name: replace(each, amplitudes=each.amplitudes[:0]) for name, each in plateau.outputs.items()}
     return replace(plateau, outputs=outputs), replace(course.end, phase=0.0)
-
-
-def _stays(flow: Flow, course: Course, unit: float) -> bool:
-    """Say whether what moves is rounding beside that which a start from rest would do.
-
-    Where friction holds, an integral adds up what rounding left of an error at the value before.
-    """
-    return not course.events and at_rest(course, unit, flow.timed(flow.rest(), FROM_REST * unit))
 
 
 def _amid(course: Course) -> Instant:

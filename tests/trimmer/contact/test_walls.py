@@ -350,6 +350,7 @@ def test_a_branch_ends_where_a_wall_that_is_struck_is_just_missed_later() -> Non
     )  # fmt: skip
     branch = follow(drill, "pins.crank.amplitude", 3e-3, 14e-3)
     assert (branch.special[-1].kind.word, branch.special[-1].parts) == ("grazing", ("anvil",))
+    assert not (orbit := respond(drill).motions[0].orbit).flow.grazed(orbit.course)
     hammer, chisel = branch.special[-1].state.reshape(2, 2).T.tolist()
     there = replace(drill, start={"hammer": hammer, "chisel": chisel})
     there = there.with_value("pins.crank.amplitude", branch.special[-1].value * (1 - 1e-9))

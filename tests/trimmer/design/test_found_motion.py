@@ -157,5 +157,10 @@ def test_impulses_of_a_wall_are_felt() -> None:
     assert ball.amplitude == pytest.approx(np.full(ball.lines, 2 * gravity), rel=1e-6)
     assert ball.weighted == pytest.approx(felt[ball.lines - 1], rel=1e-9)
     assert felt[-1] - felt[ball.lines - 1] < ball.left_out < 2e-4 * felt[-1]
-    more = hand_arm_of_samples(orbit.flow.course(orbit.instant, 20), {"ball": gravity}, 256 * frequency)
+    shaken_more = hand_arm_of_orbit(orbit.course, 2 * np.pi * frequency, {"ball": 2 * gravity})["ball"]
+    assert shaken_more.left_out > ball.left_out
+    course = orbit.flow.course(orbit.instant, 20)
+    before = np.sort(course.segment_ends[:-1, 1])[:20]  # each impact
+    assert before == pytest.approx(np.full(20, -gravity / (2 * frequency)), rel=1e-9)
+    more = hand_arm_of_samples(course, {"ball": gravity}, 256 * frequency)
     assert more["ball"].weighted == pytest.approx(felt[-1], rel=np.pi / 256)  # It meets it between samples.

@@ -78,7 +78,7 @@ def wall_measures(course: Course, number: int, periods: int) -> ContactMeasures:
     held = HoldForce(
         course.modes, len(machine.kinetic) + number, Steady(np.zeros(course.modes.system.layout.size))
     )
-    force = largest(course, held) if resting.any() else 0.0
+    force = largest(course, held)
     speeds = tuple(impact_at(course, row)[0] for row in hit)
     completed = int(((log.part == part) & (log.kind == COMPLETED)).sum())
     return ContactMeasures(

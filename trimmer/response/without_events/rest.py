@@ -86,19 +86,15 @@ class Rest:
         return self.flow.forces(self.course, self.course.duration * np.arange(count) / count)
 
 
-def at_rest(course: Course, unit: float, beside: Course | None = None) -> bool:
+def at_rest(course: Course, unit: float) -> bool:
     """Return whether a motion has come to rest at its end.
 
     Args:
         course: The motion.
         unit: A time in which it would move, s.
-        beside: Another motion, which also shows how large states are.
     """
     layout = course.modes.system.layout
-    seen = (course,) if beside is None else (course, beside)
-    states = np.vstack(
-        [rows for each in seen for rows in (each.log.state[:, : layout.state_count], each.end.state)]
-    )
+    states = np.vstack([course.log.state[:, : layout.state_count], course.end.state])
     sizes = layout.lengths * abs(states).max(axis=0)
     for kind in layout.kinds:
         sizes[kind] = sizes[kind].max(initial=0.0)
